@@ -511,8 +511,9 @@ mean_reach <- function(run, a, u, at) {
   y <- at$y[far]
   y_a <- run$curve$y(a)
   rates <- drop_rates(run$curve, u, a, y_a, y)
-  # The rounding of y: of its terms, which may be larger, as that of its argument is.
-  terms <- max(abs(y), abs(y_a)) + max(abs(at$dy)) * max(abs(u), abs(a))
+  # The rounding of y: of its terms, which may be larger, as that of its argument is. Up to each
+  # place: the slope of a bump further on would hide where it begins.
+  terms <- cummax(pmax(abs(y), abs(y_a))) + cummax(abs(at$dy[far])) * pmax(abs(u), abs(a))
   allowed <- 1e-12 * rates$size + 64 * 2^-52 * terms / abs(u - a)
   bad <- which(!(abs(rates$plain - rates$mean) <= allowed))
   # Near the anchor a difference has no digits, and a cusp no slope.

@@ -315,6 +315,21 @@ test_that("errors of curves", {
   expect_error(summary(forged), class = "rotdyn_error_type")
 })
 
+test_that("a steep dip further on does not hide where it begins", {
+  f <- function(x) {
+    3.1101667937736313 - 2.2652676083380356 * x - 0.17918544854236759 * x^2 -
+      0.15540582977340003 * sin(1.8590247269083042 * x + 2.5764564885757864) -
+      0.018936205772485452 * exp(-((x - 1.3225842251355977) / 2.7185408513078652e-05)^2)
+  }
+  motion <- roll_on_curve(
+    f, 1.3271509475960996, 1.3182385281540407, 2 * 18.933494741291899 / 23.4267096698497 - 1,
+    0.62620555941197409, rows = 9, gravity_m_per_s2 = 18.933494741291899
+  )
+  expect_identical(motion$x_m[5], 1.3226947378750702)
+  # In quadruple precision (bench/coverage/curves.c).
+  expect_lte(abs(motion$time_s[5] / 0.028585257481405842 - 1), summary(motion)$error)
+})
+
 test_that("columns are in the dictionary", {
   known <- column_table()$name
   motion <- roll_on_curve(cos, 1, 2)

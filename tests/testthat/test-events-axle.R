@@ -25,6 +25,25 @@ test_that("an oscillator with dry friction: each event once", {
   expect_equal(nrow(motion_events(spin_up())), 0)
 })
 
+test_that("a rest that is shorter than a step is seen", {
+  # Held from 2.953 s to 2.962 s: without it theta is off by 1.3e-4 rad.
+  law <- torque_sinusoid(3.3979681113192317, 8.1864170738232342, -0.57490322878584266)
+  scene <- scene_axle(
+    4.5551598152522024, law,
+    resistance(
+      0.058464101256388359, 0.11297830738435297, coulomb_n_m = 0.28374935444118837,
+      static_n_m = 0.36439491427066589
+    ),
+    theta0_rad = -0.70595936290919781, omega0_rad_per_s = 0.23590100905848863
+  )
+  exact <- trajectory(scene, c(0, 4.8), 1e-12)
+  for (accuracy in 10^-(3:8)) {
+    motion <- trajectory(scene, c(0, 4.8), accuracy)
+    expect_identical(motion_events(motion)$event[1:2], c("stick", "slip"))
+    expect_lte(abs(diff(c(motion$theta_rad[2], exact$theta_rad[2]))), accuracy)
+  }
+})
+
 test_that("potential and kinetic energy add up", {
   scene <- scene_pendulum(body_rod(0.1, 1), 0.5, theta0_rad = 2, omega0_rad_per_s = 1)
   full <- augment(trajectory(scene, seq(0, 3, 0.25)))

@@ -135,3 +135,22 @@ test_that("a critical angle of what is missing is missing", {
     rolling_critical_angle(c(NA, 1, NA), c(0.5, NA, NA)), rep(NA_real_, 3)
   )
 })
+
+test_that("a short step at the start of a narrow change of the force counts in the error", {
+  # One equation, M v' = force(x): time and speed by quadrature (bench/coverage/narrow.R).
+  force <- function(time_s, x_m, v_m_per_s) {
+    x <- (x_m - 0.7817807942237649) / 0.00048590010021773249
+    8.5844745627178991 + 1.0388291619305179 *
+      sin(5.9305652111070231 * x_m / (1.1105295455788777 * 0.85624484609245577)) +
+      ifelse(abs(x) < 1, 21.515330956746972 * (1 + cos(pi * x)) / 2, 0)
+  }
+  scene <- scene_incline(
+    body_sphere(9.8140794524494286 / 1.4, 0.1), 0, static_friction = 1e6, kinetic_friction = 1e6,
+    v0_m_per_s = 1.1105295455788777, force = force
+  )
+  motion <- trajectory(
+    scene, c(0, 0.85624484609245577), 1e-11, "incline_radau", resolution = 1 / 2000
+  )
+  off <- abs(motion$v_m_per_s[2] / 1.8758410207619349 - 1)
+  expect_lte(off, summary(motion)$error)
+})

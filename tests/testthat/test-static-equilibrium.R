@@ -418,6 +418,62 @@ test_that("prints, columns and damaged results", {
   )
 })
 
+test_that("reactions so large that their rounding bears the load are none", {
+  surface <- function(...) {
+    x <- c(...)
+    support_surface(x[1:3], x[4:6], x[7])
+  }
+  rod <- function(...) support_rod(c(...)[1:3], c(...)[4:6])
+  supports <- list(
+    surface(
+      20.503972579436805, 6.903759681585007, -5.8668503009207855,
+      -0.8707655240634338, 0.14386139406037682, 0.47018220021768037, 0.2865261561702937
+    ),
+    surface(
+      29.40351002666219, 2.9835399633491217, -13.120079141546839,
+      -0.0303487798707643, 0.7826254198304042, -0.6217526870031521, 1.2057813659659586
+    ),
+    surface(
+      38.17177380000044, 17.785332739344916, -7.942271447813268,
+      0.7665221815807356, 1.0775875276104268, 0.7314638610873622, 0.8302431867341511
+    ),
+    rod(
+      38.5774617197949, 14.352112675269666, -5.604126244392244,
+      36.454732376451844, 13.88282795375833, 5.270748023757072
+    ),
+    rod(
+      32.64953539315099, 18.841966887409654, -4.853322352511871,
+      31.389899019269393, 18.669234604546773, -5.6825384025721375
+    ),
+    surface(
+      26.55294822425412, 19.12260079293285, -22.667874538676926,
+      -2.3977845357249623, 2.1653972419426295, -2.5824990798300753, 0.7366401601349936
+    ),
+    surface(
+      21.160456890430822, 16.99122359354101, -18.717702480027302,
+      0.15215478364486704, 0.2375294897611153, 0.9593897348355401, 0.2327507205773145
+    )
+  )
+  names(supports) <- letters[1:7]
+  one <- c(-0.05359219183102313, -0.02303662835643951, 0.11540564677558832)
+  two <- c(-0.04443485795545432, 0.01004010321829943, -0.20830894075710552)
+  loads <- forces(
+    load_force(one, c(22.856961359528555, 19.487219399321038, -13.56972839131447), name = "one"),
+    load_force(two, c(19.248612008026107, 18.81852060307252, -21.794330108410954), name = "two"),
+    load_couple(c(-1.57863211004738, 0.21737971329458153, -0.2100410624744298), name = "couple")
+  )
+  # No reaction works against this velocity, by the angles of its normals, and the loads drive it.
+  along <- c(-0.1027604, 0.7005403, 0.0101721)
+  along <- along / sqrt(sum(along^2))
+  for (s in supports[-(4:5)]) {
+    up <- sum(s$normal * along) / sqrt(sum(s$normal^2))
+    expect_lte(s$friction * sqrt(1 - up^2), up + 1e-7)
+  }
+  for (s in supports[4:5]) expect_lte(abs(sum((s$to_m - s$at_m) * along)), 1e-5)
+  expect_gt(sum((one + two) * along), 3e-5)
+  expect_identical(summary(static_equilibrium(loads, supports))$verdict, "slides")
+})
+
 test_that("a problem in numbers whose contact has no reactions is refused", {
   problem <- structure_of(
     forces(load_weight(1, c(0, 0))), list(floor = support_surface(c(0, 0), friction = 1)), 1e-10

@@ -37,6 +37,23 @@ test_that("smooth laws take few samples, and the error stated holds", {
   expect_lt(sample(sin)$calls, 200)
 })
 
+test_that("a change that begins between the last sample of a piece and its end is seen", {
+  t <- seq(0.49, 0.55, length.out = 1001)
+  for (begins in 0.5 - c(2e-4, 5e-5)) { # the last of 33 samples before 0.5 is at 0.49972
+    f <- function(t) {
+      s <- t - begins
+      1 + ifelse(s > 0 & s < 0.04, 0.5 - cos(50 * pi * s) / 2, 0)
+    }
+    for (breaks in list(double(), 0.5, c(0.5, begins + 0.04))) {
+      sampled <- sample(f, c(0, 1), breaks)
+      expect_lte(max(abs(value(sampled, t) - f(t))), sampled$error)
+    }
+  }
+  # Breaks where the law jumps stay as they are: two samples each.
+  step <- function(t) ifelse(t < 2, 1, -1)
+  expect_lte(sample(step, breaks = 2)$calls, 70)
+})
+
 test_that("told breaks are ends of pieces, and an untold jump is no law to sample", {
   step <- function(t) ifelse(t < 2, 1, -1)
   sampled <- sample(step, breaks = 2)

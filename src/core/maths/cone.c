@@ -15,6 +15,9 @@ static const double rough = 1e6;
  * for the rounding of the Jacobian. */
 static const double beyond = 1e13, late = 1e8;
 
+/* What blur may leave of an equation, of |c|. */
+static const double most_blur = 1e-9;
+
 static rot_dd zero(void) { return (rot_dd){0.0, 0.0}; }
 
 /* ---- the cone ------------------------------------------------------------------------------- */
@@ -126,6 +129,7 @@ typedef struct state {
 static void evaluate(const rot_cone *cone, state *s) {
   const size_t m = cone->m, k = cone->k;
   rot_dd square = zero(), gain = zero();
+  double load = 0.0;
   for (size_t j = 0; j < k; j++) {
     rot_dd sum = zero();
     for (size_t i = 0; i < m; i++) sum = rot_dd_add(sum, rot_dd_mul(cone->b[j * m + i], s->y[i]));
@@ -134,13 +138,15 @@ static void evaluate(const rot_cone *cone, state *s) {
   rot_cone_project(cone, s->x);
   for (size_t j = 0; j < k; j++) square = rot_dd_add(square, rot_dd_mul(s->x[j], s->x[j]));
   s->size = s->excess = 0.0;
+  for (size_t i = 0; i < m; i++) load = hypot(load, cone->c[i].hi);
   for (size_t i = 0; i < m; i++) {
     rot_dd gap = rot_dd_neg(cone->c[i]);
-    double allowed = cone->slack[i];
+    double blur = 0.0;
     for (size_t j = 0; j < k; j++) {
       gap = rot_dd_add(gap, rot_dd_mul(cone->b[j * m + i], s->x[j]));
-      allowed += cone->blur[j * m + i] * fabs(s->x[j].hi);
+      blur += cone->blur[j * m + i] * fabs(s->x[j].hi);
     }
+    const double allowed = cone->slack[i] + fmin(blur, most_blur * load);
     s->gap[i] = gap;
     s->size = hypot(s->size, gap.hi);
     if (fabs(gap.hi) > 0.0) s->excess = fmax(s->excess, fabs(gap.hi) / allowed);

@@ -33,7 +33,8 @@ typedef struct rot_cone {
   const rot_cone_part *part;
   const rot_dd *b; /* m x k, by columns; well scaled: rows of some length near 1 */
   const rot_dd *c;
-  /* The equations hold where each residual is at most slack + sum blur |x|. */
+  /* The equations hold where each residual is at most slack + sum blur |x|; of the sum 1e-9 |c|
+   * counts at most: the rounding of x of 1e10 |c| would balance what no x of the cone balances. */
   const double *slack, *blur;
 } rot_cone;
 

@@ -311,6 +311,30 @@ static rot_status leave_zero(sight *s, size_t which, double *h, rot_ode_passage 
   return ROT_OK;
 }
 
+/* The error of the cubic at a minimum within the step: a part of the lower end; near an end, a
+ * part of the difference from there. */
+#define CLEAR   0.3
+/* A minimum so near an end of the step, as a part of it, is ignored. */
+#define NEAREST 1e-6
+
+/* Where the cubic has its minimum within the step; 1 where it has none, or at an end. */
+static double minimum_of(const sight *s) {
+  const double *w = s->w, nearest = fmax(NEAREST, 8.0 * ROT_EPS * fabs(s->in->clock->t / s->h));
+  const double a = 2.0 * (w[0] - w[2]) + w[1] + w[3], b = 3.0 * (w[2] - w[0]) - 2.0 * w[1] - w[3];
+  const double square = b * b - 3.0 * a * w[1];
+  if (is_function(&s->at) || !(square > 0.0)) return 1.0;
+  const double x = b > 0.0 ? -w[1] / (b + sqrt(square)) : (sqrt(square) - b) / (3.0 * a);
+  return x > nearest && x < 1.0 - nearest ? x : 1.0;
+}
+
+/* The value below which a minimum within the step may be one beyond zero. After a cut the step
+ * begins near the minimum. */
+static double clear_of(const sight *s) {
+  if (s->in->state->phase != ROT_ODE_CUT) return CLEAR * fmin(s->w[0], s->w[2]);
+  const double x = minimum_of(s);
+  return x < 1.0 ? CLEAR * (s->w[0] - cubic(s->w, x)) : 0.0;
+}
+
 /* Samples of a step shorter than this, of the span, resolve an event function. */
 #define RESOLVED 1e-3
 
@@ -346,6 +370,8 @@ static int coarse(const sight *s, const double v[PARTS + 1], double size) {
  * alone, are long: of 977 drives with dry friction one missed a stretch of slip. */
 static double dip_of(const sight *s, double least, int fresh) {
   double v[PARTS + 1], lowest = INFINITY, dip = 1.0;
+  const double bottom = minimum_of(s); /* between two samples */
+  if (bottom < 1.0 && cubic(s->w, bottom) < least) return bottom;
   sample_step(s, v);
   for (int k = 0; k <= PARTS; k++) {
     if (k > 0 || !fresh) lowest = fmin(lowest, v[k]);
@@ -384,6 +410,20 @@ static double first_below(const sight *s) {
   return !falls && coarse(s, v, highest) ? -1.0 : 1.0;
 }
 
+/* A step cut at a minimum of the cubic may end behind that of the motion: back to it. Near its end
+ * the cubic of the shorter step errs by a part of what it rises from there. */
+static rot_status cut_back(sight *s, const rot_ode_watch *at, double *h) {
+  rot_status status = ROT_OK;
+  for (int k = 0; k < 10 && status == ROT_OK && s->value > 0.0; k++) {
+    aim(s, at, *h);
+    const double x = minimum_of(s), here = cubic(s->w, x);
+    if (!(x < 1.0 && here < CLEAR * (s->w[2] - here))) return ROT_OK;
+    *h *= x;
+    status = attempt_part(s, *h);
+  }
+  return status;
+}
+
 static rot_status look_for(rot_ode_search *in, size_t which, double *h, rot_ode_passage *what) {
   rot_ode_watch *at = &in->watch[which];
   sight s = {in, look_at(in, which), at->side, *h, {0.0}, 0.0, 0.0};
@@ -401,10 +441,8 @@ static rot_status look_for(rot_ode_search *in, size_t which, double *h, rot_ode_
     *what = ROT_ODE_OTHER_SIDE;
     return ROT_OK;
   }
-  /* Between two ends on one side it may dip to the other. The cubic is of order 4, so that it is
-   * believed only where it stays clear of zero. */
-  const double clear = in->state->phase == ROT_ODE_CUT ? 0.0 : 0.3 * fmin(s.w[0], end);
-  const double dip = end > 0.0 ? dip_of(&s, clear, at->fresh) : first_below(&s);
+  /* Between two ends on one side it may dip to the other. */
+  const double dip = end > 0.0 ? dip_of(&s, clear_of(&s), at->fresh) : first_below(&s);
   if (dip < 0.0) {
     *h *= 0.5;
     rot_status status = attempt_part(&s, *h);
@@ -414,9 +452,10 @@ static rot_status look_for(rot_ode_search *in, size_t which, double *h, rot_ode_
   }
   if (end > 0.0 ? dip == 1.0 || (at->fresh && !s.at.event.g) : !counts && dip == 1.0) return ROT_OK;
   if (dip < 1.0) { /* ask the method itself */
-    const rot_status status = attempt_part(&s, dip * *h);
-    if (status != ROT_OK) return status;
+    rot_status status = attempt_part(&s, dip * *h);
     *h *= dip;
+    if (status == ROT_OK && !is_function(&s.at)) status = cut_back(&s, at, h);
+    if (status != ROT_OK) return status;
     if (s.value > 0.0 || !counts) {
       *what = ROT_ODE_CUT_SHORT;
       return ROT_OK;

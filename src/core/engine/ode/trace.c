@@ -26,9 +26,11 @@ rot_status rot_ode_trace_add(rot_ode_trace *m, double t, double error, const dou
   return ROT_OK;
 }
 
-/* A step so much shorter than the one before is not divided: it passes a kink, and ends where its
- * error is a small part of the accuracy. */
-#define SLIVER 1e-3
+/* A step so much shorter than the one before is not divided where its error is a small part of the
+ * accuracy, as of one that passes a kink. Others are, as the first in a narrow change of the law:
+ * two runs with the same error would not show it. */
+#define SLIVER      1e-3
+#define SLIVER_PART 0.02
 
 /* Nearer than a third of a part it goes for the one after, so that after an event, which no two
  * runs meet at the same time, it falls in with the guide again. */
@@ -43,7 +45,8 @@ double rot_ode_guided_aim(rot_ode_guide *g, double stop) {
   }
   for (size_t k = g->at; k + 1 < m->count; k++) {
     const double a = rot_ode_node(m, k)[0], b = rot_ode_node(m, k + 1)[0];
-    const int whole = k > 0 && fabs(b - a) < SLIVER * fabs(a - rot_ode_node(m, k - 1)[0]);
+    const int whole = k > 0 && fabs(b - a) < SLIVER * fabs(a - rot_ode_node(m, k - 1)[0]) &&
+                      rot_ode_node(m, k + 1)[1] <= SLIVER_PART * g->clock->p->accuracy;
     const double parts = whole ? 1.0 : (double)g->parts;
     const double part = (b - a) / parts, least = 0.3 * fabs(part);
     const double done = floor((t - a) / part + 0.3) + 1.0;
