@@ -15,11 +15,13 @@ chain_constraint <- function() {
         "chain", equations = equations, assumptions = assumptions, requires = "a chain of links"
       )
     ),
+    periods = function(scene, call) mode_periods(chain_modes(scene)$natural_rad_per_s),
     title = function(run) {
       n <- length(run$scene$length_m)
-      what <- if (run$scene$links == "rods") "rod" else "pendulum"
-      if (n == 1L) return(paste("A", what))
-      paste0(if (n == 2L) "Two" else n, " ", what, "s in a chain")
+      what <- if (run$scene$links == "rods") "rod" else "point mass"
+      if (n == 1L) return(paste0("A pendulum: a ", what))
+      many <- paste0(if (n == 2L) "two" else n, " ", what, if (what == "rod") "s" else "es")
+      paste0(if (n == 2L) "A double pendulum: " else "A chain of ", many)
     },
     panels = list(
       panel("angle from the vertical (rad)", c(theta_rad = "")),

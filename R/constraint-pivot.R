@@ -2,7 +2,7 @@
 pivot_constraint <- function() {
   table_constraint(
     "pivot", c(pivot_words(), free_models("pivot")),
-    title = function(run) "A body with a fixed point",
+    title = function(run) pivot_title(run$scene),
     quick = TRUE,
     keys = c("time_s", quaternion_columns, free_rates("")),
     bodies = rep("body", 3), # one for each principal moment
@@ -21,6 +21,7 @@ pivot_constraint <- function() {
         centre_m = if (!of_body) x$centre_m, gravity_m_per_s2 = x$gravity_m_per_s2
       ))
     }, read_pivot)),
+    periods = pivot_periods,
     drawing = draw_pivot,
     solid = pivot_solid,
     augment = augment_pivot,

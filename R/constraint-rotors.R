@@ -24,9 +24,13 @@ rotors_constraint <- function() {
       )
     ),
     form = form_of_rotors(),
-    title = function(run) "Rotors on one shaft",
+    title = function(run) {
+      n <- length(run$scene$moment_of_inertia_kg_m2)
+      paste0(n, " rotor", if (n != 1L) "s", " on one shaft")
+    },
     keys = c("time_s", "rotor", "theta_rad", "omega_rad_per_s", "shaft_torque_n_m"),
     pace = rotors_pace,
+    periods = function(scene, call) mode_periods(shaft_modes(scene)$natural_rad_per_s),
     summary = function(x, run) {
       whole <- function(column) {
         if (!is.null(x[[column]])) rowsum(x[[column]], as.character(x$time_s))

@@ -143,3 +143,7 @@ test_that("segments that overlap in time need a number", {
   expect_lt(max(abs(each$omega_rad_per_s - rate(2)) / each$omega_se_rad_per_s), 4)
   expect_error(predict(motion, 2, segment = 3), class = "rotdyn_error_value")
 })
+
+test_that("the loss of a collision is said to be a column of it", {
+  expect_error(energy_loss(disks_lock(1, 3, 60, 0)), "friction_loss_j", class = "rotdyn_error_type")
+})

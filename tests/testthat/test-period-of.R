@@ -34,3 +34,36 @@ test_that("after a period the motion is the same", {
   expect_equal(after$theta_rad, 2, tolerance = 1e-14)
   expect_equal(after$omega_rad_per_s, 1.5, tolerance = 1e-14)
 })
+
+test_that("a top, rotors and a chain have periods", {
+  # m g l/(I3 omega) of a fast top, its axis level.
+  level <- attitude_from(c(1, 0, 0, pi / 2), "axis_angle")
+  top <- scene_pivot(
+    body_disk(0.4, 0.06), c(0, 0, 2500), pivot_m = c(0, 0, -0.04), attitude0 = level
+  )
+  turn <- 2 * pi * (0.5 * 0.4 * 0.06^2 * 2500) / (0.4 * 9.80665 * 0.04)
+  periods <- period_of(top)
+  expect_identical(periods$kind, c("precession", "nutation"))
+  expect_equal(periods$period_s[1], turn, tolerance = 1e-3)
+  expect_equal(periods$period_s[2], 2 * pi * 0.001 / (0.00072 * 2500), tolerance = 1e-3)
+  # A vertical one: a small precession, by the smaller root of I1 W^2 - I3 w W + m g l = 0.
+  upright <- scene_pivot(body_disk(0.4, 0.06), c(0, 0, 250), pivot_m = c(0, 0, -0.04))
+  b <- 0.00072 * 250
+  root <- (b - sqrt(b^2 - 4 * 0.001 * 0.4 * 9.80665 * 0.04)) / (2 * 0.001)
+  expect_equal(period_of(upright)$period_s[1], 2 * pi / root, tolerance = 1e-9)
+  expect_error(
+    period_of(scene_pivot(c(1, 2, 3), c(0, 0, 6), mass_kg = 1, centre_m = c(0, 0, 0.1))),
+    class = "rotdyn_error_model"
+  )
+  expect_error(
+    period_of(update(top, resistance = resistance(damping_per_s = 0.1))),
+    class = "rotdyn_error_model"
+  )
+  # Two equal rotors: omega^2 = 2 k/I.
+  expect_equal(period_of(scene_rotors(c(2, 2), 9))$period_s, 2 * pi / 3)
+  # Two equal pendulums, one below the other: omega^2 = (2 -+ sqrt(2)) g/l.
+  chain <- period_of(scene_chain(c(1, 1), 1, 0.1, links = "points"))
+  expect_equal(chain$period_s, 2 * pi / sqrt((2 + c(-1, 1) * sqrt(2)) * 9.80665))
+  expect_identical(chain$kind, c("mode", "mode"))
+  expect_error(period_of(scene_hoop(1, 1, 2)), class = "rotdyn_error_type")
+})
