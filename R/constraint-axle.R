@@ -8,9 +8,11 @@ axle_constraint <- function() {
       scene_gears = gears_maker()
     ),
     title = function(run) {
-      body <- .subset2(run$scene, "body")
-      shape <- if (inherits(body, "rot_body")) body$shape else "body"
-      paste(sentence(with_article(shape)), "on a fixed axle")
+      paste0(
+        sentence(scene_body(run$scene)),
+        if (!is.null(changing_inertia(run$scene))) " whose moment of inertia changes,",
+        " on a fixed axle"
+      )
     },
     torque = given_torque,
     resistance = given_resistance,
@@ -150,6 +152,7 @@ axle_words <- function() {
 # Of a pendulum: what it changes in the record.
 pendulum_maker <- function() {
   list(
+    title = function(run) paste("A pendulum:", scene_body(run$scene), "on a fixed axle"),
     torque = function(scene) {
       gravity <- gravity_law(
         scene$body$mass_kg, scene$distance_m, scene$gravity_m_per_s2, 0, NULL

@@ -3,7 +3,10 @@ drive_constraint <- function() {
   table_constraint(
     "drive",
     models = drive_words(),
-    title = function(run) "A drive",
+    title = function(run) {
+      n <- length(run$scene$moment_of_inertia_kg_m2)
+      paste0("A drive of ", n, " rotor", if (n != 1L) "s")
+    },
     keys = c(
       "time_s", "rotor", "theta_rad", "omega_rad_per_s", "coupling_torque_n_m", "heat_j",
       "coupling_heat_j"

@@ -23,7 +23,11 @@ incline_constraint <- function() {
       )
     ),
     title = function(run) {
-      paste("A body on an incline of", format_si(run$scene$incline_angle_deg), "degrees")
+      angle <- run$scene$incline_angle_deg
+      paste(
+        sentence(scene_body(run$scene)), if (angle == 0) "on a level plane" else
+          paste("on an incline of", format_si(angle), "degrees")
+      )
     },
     quick = TRUE,
     keys = c(
