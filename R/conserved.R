@@ -23,6 +23,7 @@
 #' @seealso [audit()], [collision_ledger()].
 #' @concept conservation
 #' @concept conservation of angular momentum
+#' @concept conservation of energy
 #' @examples
 #' # A skater pulls in her arms: angular momentum stays, energy does not.
 #' conserved(scene_axle(inertia_knots(c(0, 2), c(4, 1.2)), omega0_rad_per_s = 3))

@@ -49,6 +49,9 @@ draw_fills <- c(body = "grey88", hole = "white", shaft = "grey60", fixed = "grey
 #' ggplot2::autoplot(scene_clutch(2, 3, capacity_n_m = 12, omega1_rad_per_s = 10))
 #' ggplot2::autoplot(scene_gears(c(0.01, 0.5, 2), ratios = c(5, -3), torque_n_m = c(2, 0, -4)))
 #' @exportS3Method ggplot2::autoplot
+#' @concept plot
+#' @concept drawing of a scene
+#' @concept free-body diagram
 autoplot.rot_scene <- function(object, ..., base_size = 13) {
   call <- check_plot(base_size, ...)
   check_scene(object, call)

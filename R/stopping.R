@@ -26,6 +26,8 @@
 #' @concept brake
 #' @concept coast-down
 #' @concept terminal speed
+#' @concept friction
+#' @concept braking
 #' @examples
 #' # A flywheel that coasts down: J = 2.5 kg m^2, dry, viscous and quadratic losses.
 #' losses <- resistance(0.004, 2e-5, coulomb_n_m = 0.05)

@@ -42,6 +42,10 @@
 #' @seealso [choose_model()] predicts what this function measures.
 #' @source Work-precision diagrams as in Hairer, Norsett and Wanner, Solving Ordinary Differential
 #'   Equations I, 2nd ed. (1993), section II.10.
+#' @concept RK4
+#' @concept Runge-Kutta
+#' @concept benchmark
+#' @concept cost of accuracy
 #' @examples
 #' scene <- scene_axle(body_disk(2, 0.25), torque_constant(0.8), resistance(0.03))
 #' work_precision(scene, 0:8, accuracies = c(1e-3, 1e-9), least_batch_s = 0.002)
