@@ -146,7 +146,7 @@ axle_words <- function() {
         "constants, knots, steps, pulses, motors, one torque_curve(); viscous and dry friction",
       source = "Armstrong-Helouvry 1991, chapter 2 (dry friction)"
     )
-  ), Map(c, integrated, lapply(names(integrated), integrator)))
+  ), Map(c, integrated[1:2], lapply(names(integrated)[1:2], integrator)), integrated[-(1:2)])
 }
 
 # Of a pendulum: what it changes in the record.

@@ -34,17 +34,6 @@ free_models <- function(id) {
     "L' = L x omega", gravity, " + torque - damping L (body axes), q' = q (0, omega)/2"
   )
   beyond <- "beyond 1e15 rad no digit of the attitude is left"
-  steps <- function(limits, source, ...) {
-    utils::modifyList(list(
-      equations = equations,
-      assumptions = "rigid body; torques smooth between their breaks",
-      limits = limits,
-      requires = "to be named; moments of inertia greater than 0",
-      source = source,
-      adapts = FALSE,
-      loses = "Its steps are of fixed length: {.arg step_s} makes them shorter."
-    ), list(...))
-  }
   closed <- list(
     list(
       equations = "L' = L x omega - damping L (body axes), q' = q (0, omega)/2",
@@ -71,37 +60,39 @@ free_models <- function(id) {
     id,
     equations = equations,
     assumptions = "rigid body; torques finite, and smooth between their breaks",
-    requires = "moments of inertia greater than 0"
+    requires = "moments of inertia greater than 0", fixed = FALSE
   )
   integrated[[2]]$limits <-
     "each step solves a system of equations: expensive for a motion that is not stiff"
-  stepped <- list(
-    euler = steps(
-      "order 1; angular momentum and energy grow without bound",
-      "Hairer, Norsett and Wanner 1993, section I.7",
+  stepped <- fixed_words(
+    id, equations = equations, assumptions = "rigid body; torques smooth between their breaks"
+  )
+  changed <- list(
+    list(
+      limits = "order 1; angular momentum and energy grow without bound",
       assumptions = "rigid body; a step goes on along the slopes at its start"
     ),
-    semi_implicit = steps(
-      "order 1; without torque the angular momentum stays, the energy drifts",
-      "Hairer, Lubich and Wanner 2006, section I.1",
+    list(
+      limits = "order 1; without torque the angular momentum stays, the energy drifts",
       assumptions =
         "rigid body; a step changes L in space axes, then turns the body by the new rate"
     ),
-    rk4 = steps(
-      "order 4; the energy drifts in proportion to time",
-      "Hairer, Norsett and Wanner 1993, section II.1"
-    ),
-    split = steps(
-      "order 6; the energy stays within a bound, the phase drifts in proportion to time",
-      paste(
-        "McLachlan 1995; Kahan and Li 1997;",
-        "Hairer, Lubich and Wanner 2006, section VII.5"
-      ),
-      assumptions = "rigid body; a step is composed of exact turns and of kicks by gravity",
-      requires = "to be named; no torque but gravity, no motors, no damping, moments greater than 0"
-    )
+    list(limits = "order 4; the energy drifts in proportion to time")
   )
-  names(stepped) <- paste0(id, "_", names(stepped))
+  stepped[] <- Map(utils::modifyList, stepped, changed)
+  split <- utils::modifyList(stepped[[3]], list(
+    limits = "order 6; the energy stays within a bound, the phase drifts in proportion to time",
+    source = paste(
+      "McLachlan 1995; Kahan and Li 1997;",
+      "Hairer, Lubich and Wanner 2006, section VII.5"
+    ),
+    assumptions = "rigid body; a step is composed of exact turns and of kicks by gravity"
+  ))
+  stepped <- c(stepped, stats::setNames(list(split), paste0(id, "_split")))
+  positive <- "moments of inertia greater than 0"
+  for (name in names(stepped)) stepped[[name]]$requires <- paste0("to be named; ", positive)
+  stepped[[4]]$requires <-
+    "to be named; no torque but gravity, no motors, no damping, moments greater than 0"
   c(closed, integrated, stepped)
 }
 

@@ -37,16 +37,16 @@ print.rot_table <- function(x, ..., n = NULL, width = NULL) {
   if (!is.null(width) || !length(x)) return(NextMethod())
   shown <- without_noise(x)
   if (is_upright(x)) {
-    cat(upright_lines(shown), sep = "\n")
+    writeLines(upright_lines(shown))
     return(invisible(x))
   }
-  cat(table_lines(shown, n), sep = "\n")
+  writeLines(table_lines(shown, n))
   invisible(x)
 }
 
-# Motions and other tables with a head of their own stay rows.
+# Motions and other tables with a head of their own, and lists of two columns, stay rows.
 is_upright <- function(x) {
-  nrow(x) == 1L && length(x) > 1L && identical(names(tbl_sum(x)), "A tibble") &&
+  nrow(x) == 1L && length(x) > 2L && identical(names(tbl_sum(x)), "A tibble") &&
     all(vapply(unclass(x), is.atomic, NA))
 }
 

@@ -150,8 +150,8 @@ with_places <- function(events, copies, between) {
 }
 
 # Words of the two models that integrate; `...`: those that both share.
-integrated_words <- function(id, ...) {
-  stats::setNames(list(
+integrated_words <- function(id, ..., fixed = TRUE) {
+  adaptive <- stats::setNames(list(
     list(
       ..., limits = "not stiff: a step is at most about 6 times the shortest decay",
       source = "Prince & Dormand 1981, order 8(7), as in the GNU Scientific Library"
@@ -161,6 +161,27 @@ integrated_words <- function(id, ...) {
       source = "Hairer & Wanner 1996, section IV.8 (Radau IIA)"
     )
   ), paste0(id, c("_rk8pd", "_radau")))
+  words <- list(...)
+  words$requires <- NULL
+  c(adaptive, if (fixed) do.call(fixed_words, c(id, words)))
+}
+
+# Words of the models with steps of fixed length, given the equations and the assumptions.
+fixed_words <- function(id, ...) {
+  steps <- function(limits, source, ...) {
+    list(
+      ..., limits = limits, requires = "to be named", source = source, adapts = FALSE,
+      loses = "Its steps are of fixed length: {.arg step_s} makes them shorter."
+    )
+  }
+  stats::setNames(list(
+    steps("order 1; the energy of a swing grows without bound",
+          "Hairer, Norsett and Wanner 1993, section I.7", ...),
+    steps("order 1; the energy of a swing without friction stays within a bound",
+          "Hairer, Lubich and Wanner 2006, section I.1", ...),
+    steps("order 4; the energy of a swing drifts in proportion to time",
+          "Hairer, Norsett and Wanner 1993, section II.1", ...)
+  ), paste0(id, c("_euler", "_semi_implicit", "_rk4")))
 }
 
 # The largest rate between the rows, too, of one body; the last values.

@@ -42,7 +42,7 @@ test_that("other slips are found", {
   expect_equal(found$to[found$entry == "izz"], 0.0035)
   # The sign of a moment.
   found <- smallest(six(2, -1.5, 2.5))
-  expect_equal(found[c("kind", "entry", "to")], tibble::tibble(
+  expect_equal(as.data.frame(found[c("kind", "entry", "to")]), data.frame(
     kind = "sign of a moment", entry = "iyy", to = 1.5
   ))
   # The sign of the products: one of them and all three have the same eigenvalues.
@@ -64,7 +64,7 @@ test_that("other slips are found", {
   expect_equal(unique(found$kind), "unit (kg mm^2)")
   expect_equal(found$to, c(0.02, 0.03, 0.04))
   found <- smallest(c(0.02, 0.03, 0.04), mass_kg = 2, size_m = 250)
-  expect_equal(found[c("kind", "entry", "to")], tibble::tibble(
+  expect_equal(as.data.frame(found[c("kind", "entry", "to")]), data.frame(
     kind = "unit (mm)", entry = "size_m", to = 0.25
   ))
   expect_true(holds(check_inertia(c(0.02, 0.03, 0.04), mass_kg = 2, size_m = 250)))

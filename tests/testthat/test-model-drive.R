@@ -372,8 +372,8 @@ test_that("every verb works on a drive", {
   expect_named(motion_events(motion), c("time_s", "event", "where"))
   quiet <- trajectory(scene_drive(c(1, 2), coupling_gear(2)), 0:1)
   expect_identical(
-    motion_events(quiet),
-    tibble::tibble(time_s = double(), event = character(), where = character())
+    as.data.frame(motion_events(quiet)),
+    data.frame(time_s = double(), event = character(), where = character())
   )
   none <- trajectory(clutch_drive(), double())
   expect_equal(nrow(none), 0L)

@@ -121,7 +121,7 @@ test_that("it prints its class", {
   })
   axes <- principal_axes(body_disk(2, 0.25))
   expect_output(print(axes[c("axis", "x")]), "axis +x")
-  expect_output(print(axes[1, ]), "A tibble: 1")
+  expect_output(print(axes[1:2, ]), "A tibble: 2")
 })
 
 test_that("bad arguments are refused by class", {

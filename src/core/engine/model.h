@@ -55,6 +55,13 @@ typedef struct rot_task {
   int flows_of_whole; /* the flows are those of all effects, too; else of those that are solved */
 } rot_task;
 
+/* The method of a run: the integrator's own choice, unless the caller named the model or its steps
+ * are of fixed length. */
+static inline rot_method rot_task_method(const rot_task *task, rot_method method) {
+  const int chosen = method == ROT_METHOD_RK8PD || method == ROT_METHOD_RADAU;
+  return task->asked || !chosen ? method : ROT_METHOD_NONE;
+}
+
 /* A column of the rows: doubles, or flags (int). */
 typedef struct rot_column_of {
   const char *name;

@@ -20,7 +20,7 @@ static void use_gsl(void) {
   double column[7][2], t[5], w[5];
   const rot_axle_columns out = {column[0], column[1], column[2], column[3],
                                 column[4], column[5], column[6]};
-  const rot_axle_ode_options options = {1e-9, 1000, ROT_METHOD_RK8PD, 0.0};
+  const rot_axle_ode_options options = {1e-9, 1000, ROT_METHOD_RK8PD, 0.0, 0.0};
   rot_axle_scene scene;
   rot_events events = {0};
   rot_info info;

@@ -125,9 +125,22 @@ static step_plan step_by(double t, double h) {
   return (step_plan){taken, t + taken, 0};
 }
 
+/* Steps of one length since the smooth segment began: counted, so that no rounding gathers. */
+static step_plan plan_fixed(const rot_ode_march *run, double stop) {
+  const double t = run->clock.t, from = run->rows.stretch_t, h = run->step.fixed_s;
+  const double way = rot_ode_way(&run->clock);
+  const double target = from + way * h * (floor(fabs(t - from) / h + 1e-6) + 1.0);
+  if (fabs(stop - t) <= fabs(target - t) + 1e-6 * h) return (step_plan){stop - t, stop, 0};
+  return (step_plan){target - t, target, 0};
+}
+
 static step_plan plan_step(rot_ode_march *run, double stop) {
   const double t = run->clock.t, left = stop - t, wish = run->step.h, size = fabs(wish);
   const double guided = rot_ode_guided_aim(&run->guide, stop);
+  if (run->step.fixed_s > 0.0) {
+    const step_plan plan = plan_fixed(run, stop);
+    return fabs(plan.h) > run->limit ? step_by(t, copysign(run->limit, left)) : plan;
+  }
   if (fabs(guided - t) > run->limit) return step_by(t, copysign(run->limit, left));
   if (!isnan(guided)) return (step_plan){guided - t, guided, 0};
   /* The last step lands on the target; the one before it is halved rather than leave a sliver. */
@@ -264,7 +277,8 @@ rot_status rot_ode_advance(rot_ode_march *run, double stop, double fraction, rot
   double h = plan.h;
   if (t + h == t) return end_here(run, ROT_ESTEP);
   status = rot_ode_attempt(step, t, h, state->y, state->slope);
-  if (status != ROT_OK && !rot_ode_may_retry(status)) return status;
+  const int ends = run->step.fixed_s > 0.0 || !rot_ode_may_retry(status);
+  if (status != ROT_OK && ends) return status;
   double ratio = status == ROT_OK ? rot_ode_trial_ratio(step, h) : NAN;
   /* Beyond a wall the step is no step of the motion, and its error none: up to the wall. */
   const int early = status == ROT_OK && ratio > 1.0 && rot_ode_passes_wall(&run->search);

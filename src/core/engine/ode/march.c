@@ -320,12 +320,13 @@ rot_status rot_ode_run_once(rot_ode_job *job, const rot_hooks *hooks, rot_info *
   run.law.slides = NO_WALL;
   if (job->stiff) run.law.stiffness = &run.stiffness;
   run.step.method = job->method;
+  run.step.fixed_s = job->step_s;
   run.step.tolerance = job->tolerance;
   run.kinks.found = job->guide ? NULL : job->kinks;
   run.guide.parts = job->parts;
   run.guide.gain = rot_ode_gain(job->method, (double)job->parts);
   run.rows.out = job->rows;
-  if (!job->guide) run.rows.out.y = NULL;
+  if (!job->guide && !(job->step_s > 0.0)) run.rows.out.y = NULL;
   run.rows.share = errors->share;
   run.rows.probes = job->guide ? job->probes : NULL;
   run.rows.dense.dim = dim;

@@ -10,6 +10,7 @@ typedef struct rot_ode_job {
   const rot_ode_params *p;
   rot_ode_output rows; /* of a run with a guide */
   rot_method method;
+  double step_s; /* of a method with steps of fixed length, whose rows are wanted without a guide */
   double tolerance;
   size_t budget;
   const rot_ode_trace *guide; /* of both sides, or NULL: the error test rules */

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "engine/ode/collocate.h"
+#include "engine/ode/fixed.h"
 #include "engine/ode/march.h"
 #include "engine/ode/norm.h"
 #include "ground/real.h"
@@ -433,6 +434,7 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
   while (out.before < n && time_s[out.before] < p->start_s) out.before++;
   rot_ode_clear_report(info);
   info->rhs_calls = 0;
+  if (p->step_s > 0.0) return rot_ode_run_fixed(p, &out, hooks, info);
   if (p->resolution > 0.0 && p->resolution < 1.0) {
     probes = rot_ode_probes_new(p);
     if (!probes) status = ROT_ENOMEM;

@@ -90,7 +90,17 @@ typedef struct rot_ode_params {
    * are used at the last row alone, a step's end, where an axle's are 1e-4 of that. */
   int integrals_between;
   int expensive; /* rhs costs more than the arithmetic around it; it reads the state alone */
+  double step_s; /* > 0: of a method with steps of fixed length (engine/ode/fixed.h) */
+  /* For the semi-implicit method: a step of length h to t, from `before`; y has the new rates, and
+   * takes the new positions. */
+  void (*positions)(double t, double h, const double before[], double y[], void *ctx);
 } rot_ode_params;
+
+/* Its steps have one length. */
+static inline int rot_ode_is_fixed(rot_method method) {
+  return method == ROT_METHOD_EULER || method == ROT_METHOD_SEMI_IMPLICIT ||
+         method == ROT_METHOD_RK4;
+}
 
 /* Of a law that is called, where 0 is asked; of others 0: they are not looked at. */
 #define ROT_ODE_RESOLUTION 0.005

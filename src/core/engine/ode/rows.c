@@ -241,14 +241,15 @@ rot_status rot_ode_fill_rows(rot_ode_rows *r, int whole_stretch) {
       row_is(r, node + 1, inside ? node[1 + r->law->p->dim + r->law->p->sloped] : NAN);
       continue;
     }
-    form(r, i);
-    const int enough = held || r->form[0].terms >= 4 * (d->slopes ? 2 : 1);
+    const int by_steps = r->step->fixed_s > 0.0 && !held;
+    if (!by_steps) form(r, i);
+    const int enough = !by_steps && (held || r->form[0].terms >= 4 * (d->slopes ? 2 : 1));
     int filled = enough && !in_transient(r, node, t) && row_between(r, i, t, held);
     while (enough && !filled && mend(r)) filled = row_between(r, i, t, held);
     if (r->law->status != ROT_OK && r->law->status != ROT_ERHS) return r->law->status;
     if (filled) continue;
     size_t rows = 1;
-    while (r->done + rows < r->total && rows < 3) {
+    while (!by_steps && r->done + rows < r->total && rows < 3) {
       const double next = r->out.time_s[r->clock->forward ? row_now(r) + rows : row_now(r) - rows];
       if (way * (next - rot_dense_node(d, i + 1)[0]) >= 0.0) break;
       rows++;

@@ -2,6 +2,7 @@
 
 #include <gsl/gsl_errno.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "engine/ode/norm.h"
@@ -15,17 +16,20 @@ static int slope_at(double t, const double y[], double dydt[], void *law) {
 rot_status rot_ode_stepper_open(rot_ode_stepper *s) {
   const size_t dim = s->law->p->dim;
   s->system = (gsl_odeiv2_system){slope_at, NULL, dim, s->law};
-  if (s->method == ROT_METHOD_RADAU) {
+  if (rot_ode_is_fixed(s->method)) {
+    s->stage = malloc(2 * dim * sizeof *s->stage);
+  } else if (s->method == ROT_METHOD_RADAU) {
     s->radau = rot_radau_alloc(dim, s->law->p->controlled);
   } else {
     s->rk = gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, dim);
   }
-  return s->rk || s->radau ? ROT_OK : ROT_ENOMEM;
+  return s->rk || s->radau || s->stage ? ROT_OK : ROT_ENOMEM;
 }
 
 void rot_ode_stepper_close(rot_ode_stepper *s) {
   if (s->rk) gsl_odeiv2_step_free(s->rk);
   rot_radau_free(s->radau);
+  free(s->stage);
 }
 
 double rot_ode_gain(rot_method method, double parts) {
@@ -46,6 +50,48 @@ static void allow(rot_ode_stepper *s, double h, const double y[], const double s
   }
 }
 
+/* (t, y, its slope) => trial, which has no error estimate. */
+static rot_status fixed_step(rot_ode_stepper *s, double t, double h, const double y[],
+                             const double slope[]) {
+  static const double node[4] = {0.0, 0.5, 0.5, 1.0}, weight[4] = {1.0, 2.0, 2.0, 1.0};
+  const rot_ode_params *p = s->law->p;
+  double *at = s->stage, *f = s->stage + p->dim;
+  memset(s->trial_error, 0, p->dim * sizeof *s->trial_error);
+  if (s->method != ROT_METHOD_RK4) {
+    for (size_t i = 0; i < p->dim; i++) s->trial[i] = y[i] + h * slope[i];
+    if (s->method == ROT_METHOD_SEMI_IMPLICIT) p->positions(t + h, h, y, s->trial, p->ctx);
+    return ROT_OK;
+  }
+  double *sum = s->trial;
+  memcpy(f, slope, p->dim * sizeof *f);
+  memcpy(sum, slope, p->dim * sizeof *sum);
+  for (int k = 1; k < 4; k++) {
+    for (size_t i = 0; i < p->dim; i++) at[i] = y[i] + h * node[k] * f[i];
+    const rot_status status = rot_ode_slope_at(s->law, t + h * node[k], at, f);
+    if (status != ROT_OK) return status;
+    for (size_t i = 0; i < p->dim; i++) sum[i] += weight[k] * f[i];
+  }
+  for (size_t i = 0; i < p->dim; i++) s->trial[i] = y[i] + h / 6.0 * sum[i];
+  return ROT_OK;
+}
+
+/* Squares of a larger state leave the doubles. */
+#define LARGEST_STATE 1e150
+
+/* A step of fixed length, with its slope; a run that leaves the doubles is out of range. */
+static rot_status attempt_fixed(rot_ode_stepper *s, double t, double h, const double y[],
+                                const double slope[]) {
+  const size_t controlled = s->law->p->controlled;
+  rot_status status = fixed_step(s, t, h, y, slope);
+  if (status == ROT_OK) status = rot_ode_slope_at(s->law, t + h, s->trial, s->trial_slope);
+  for (size_t i = 0; i < controlled; i++) {
+    const int large = !(fabs(s->trial[i]) <= LARGEST_STATE) || fabs(y[i]) > LARGEST_STATE;
+    if (large && (status == ROT_OK || status == ROT_ERHS)) status = ROT_ERANGE;
+  }
+  if (status == ROT_ERHS || status == ROT_ERANGE) s->law->info->time_s = t + h;
+  return status;
+}
+
 rot_status rot_ode_attempt(rot_ode_stepper *s, double t, double h, const double y[],
                            const double slope[]) {
   rot_ode_law *law = s->law;
@@ -53,6 +99,7 @@ rot_status rot_ode_attempt(rot_ode_stepper *s, double t, double h, const double 
   int code;
   law->status = ROT_OK;
   s->calls.count = 0;
+  if (s->fixed_s > 0.0) return attempt_fixed(s, t, h, y, slope);
   if (s->calls.data && s->method == ROT_METHOD_RK8PD && law->slides == NO_WALL) {
     law->record = &s->calls;
   }

@@ -1,4 +1,5 @@
-/* One step of GSL's rk8pd or of Radau, and its error test. */
+/* One step of GSL's rk8pd or of Radau, with its error test, or of a method with steps of fixed
+ * length. */
 #ifndef ROT_ODE_STEP_H
 #define ROT_ODE_STEP_H
 
@@ -12,14 +13,16 @@ typedef struct rot_ode_stepper {
   const rot_ode_state *state; /* its sizes */
   rot_method method;
   double tolerance;
-  double h;     /* the step that the error test would like next */
-  double noise; /* of a stretch that began at rest: what cancels in its slope there */
+  double fixed_s; /* > 0: the length of all steps */
+  double h;       /* the step that the error test would like next */
+  double noise;   /* of a stretch that began at rest: what cancels in its slope there */
   double *trial, *trial_error, *trial_slope; /* of the last attempt; dim each, as all below */
   double *allowed;                           /* what Newton's iteration may leave */
   rot_ode_calls calls;                       /* of the last attempt */
   gsl_odeiv2_step *rk;
   gsl_odeiv2_system system;
   rot_radau *radau;
+  double *stage; /* of RK4: a state, its slope */
 } rot_ode_stepper;
 
 /* The tools of its method; ROT_ENOMEM. */

@@ -77,6 +77,24 @@ static rot_status fill_rows(const motion *m, size_t n, const double y[], const r
   return ROT_OK;
 }
 
+static void new_positions(double t, double h, const double before[], double y[], void *ctx) {
+  const size_t n = ((const motion *)ctx)->s.n;
+  (void)t;
+  for (size_t i = 0; i < n; i++) y[i] = before[i] + h * y[n + i];
+}
+
+static rot_pace pace_of_start(const rot_system *system, const void *scene,
+                              const rot_system_start *s) {
+  double sizes[2] = {0.0, 0.0};
+  rot_pace pace;
+  for (size_t i = 0; i < s->n; i++) {
+    sizes[0] = fmax(sizes[0], fabs(s->q[i]));
+    sizes[1] = fmax(sizes[1], fabs(s->v[i]));
+  }
+  system->pace(scene, sizes, &pace);
+  return pace;
+}
+
 rot_status rot_system_run(const rot_system *system, const void *scene, const rot_task *task,
                           rot_method method, const rot_rows *rows, const rot_hooks *hooks,
                           rot_info *info) {
@@ -102,24 +120,28 @@ rot_status rot_system_run(const rot_system *system, const void *scene, const rot
   const rot_ode_group groups[] = {{0, n, ROT_ODE_VECTOR}, {n, n, ROT_ODE_VECTOR}};
   const rot_ode_switch turn = {n, m.drive, s.holds};
   const double noise[] = {rounding * span, rounding};
-  const rot_ode_params ode = {.dim = m.dim,
-                              .controlled = 2 * n,
-                              .n_groups = 2,
-                              .groups = groups,
-                              .rhs = slopes,
-                              .ctx = &m,
-                              .start_s = s.start_s,
-                              .start = start,
-                              .accuracy = s.dry ? accuracy : fmin(accuracy, LOOSEST),
-                              .max_steps = task->max_steps,
-                              .method = task->asked ? method : ROT_METHOD_NONE,
-                              .mode = &m.mode,
-                              .turn = s.dry ? &turn : NULL,
-                              .log = rows->events,
-                              .project = note_state,
-                              .noise = noise,
-                              .integrals_between = 1,
-                              .kinks = s.dry};
+  const rot_pace pace = pace_of_start(system, scene, &s);
+  const rot_ode_params ode = {
+      .dim = m.dim,
+      .controlled = 2 * n,
+      .n_groups = 2,
+      .groups = groups,
+      .rhs = slopes,
+      .ctx = &m,
+      .start_s = s.start_s,
+      .start = start,
+      .accuracy = s.dry ? accuracy : fmin(accuracy, LOOSEST),
+      .max_steps = task->max_steps,
+      .method = rot_task_method(task, method),
+      .mode = &m.mode,
+      .turn = s.dry ? &turn : NULL,
+      .log = rows->events,
+      .project = note_state,
+      .noise = noise,
+      .integrals_between = 1,
+      .kinks = s.dry,
+      .step_s = rot_ode_is_fixed(method) ? rot_fixed_task_step_s(task, s.start_s, &pace) : 0.0,
+      .positions = new_positions};
   rot_status status = rot_ode_run(&ode, rows_n, t, y, NULL, error, largest, hooks, info);
   if (status != ROT_EUNWIND && status != ROT_ENOMEM) {
     const rot_status filled = fill_rows(&m, rows_n, y, rows, info);
@@ -140,13 +162,7 @@ double rot_system_cost_s(const rot_system *system, const rot_model *model, const
                          const rot_query *query, int implicit) {
   const rot_system_start s = system->start(scene);
   const double span = query->n ? fabs(query->time_s[query->n - 1] - s.start_s) : 0.0;
-  double sizes[2] = {0.0, 0.0};
-  rot_pace pace;
-  for (size_t i = 0; i < s.n; i++) {
-    sizes[0] = fmax(sizes[0], fabs(s.q[i]));
-    sizes[1] = fmax(sizes[1], fabs(s.v[i]));
-  }
-  system->pace(scene, sizes, &pace);
+  const rot_pace pace = pace_of_start(system, scene, &s);
   const double swings = fmin(0.1 * pace.swing_rad_per_s * span, 1e300);
   const double fades = fmin(span / pace.fades_s, 1e300);
   const double steps = 30.0 + (implicit ? log1p(fades) : fades) +
@@ -155,4 +171,11 @@ double rot_system_cost_s(const rot_system *system, const rot_model *model, const
    * as in proportion to their number. */
   const double n = (double)s.n, matrices = implicit ? n : (5.0 + n) / 6.0;
   return n * (steps * matrices * model->seconds[0] + (double)query->n * model->seconds[1]);
+}
+
+double rot_system_fixed_s(const rot_system *system, const rot_model *model, const void *scene,
+                          const rot_query *query) {
+  const rot_system_start s = system->start(scene);
+  const rot_pace pace = pace_of_start(system, scene, &s);
+  return rot_fixed_cost_s(model, query, s.start_s, &pace);
 }

@@ -3,7 +3,7 @@
 #ifndef ROT_ODE_SYSTEM_H
 #define ROT_ODE_SYSTEM_H
 
-#include "engine/model.h"
+#include "engine/ode/fixed.h"
 
 enum { ROT_SYSTEM_MOST = 16 }; /* coordinates */
 
@@ -45,6 +45,10 @@ rot_status rot_system_run(const rot_system *system, const void *scene, const rot
 double rot_system_cost_s(const rot_system *system, const rot_model *model, const void *scene,
                          const rot_query *query, int implicit);
 
+/* The same of steps of fixed length. */
+double rot_system_fixed_s(const rot_system *system, const rot_model *model, const void *scene,
+                          const rot_query *query);
+
 /* A constraint `name`, whose parts are as ROT_CONSTRAINT() names them and that the static `system`
  * integrates; its models take the mask of effects. */
 #define ROT_SYSTEM_CONSTRAINT(name, system, takes)                                                 \
@@ -53,7 +57,7 @@ double rot_system_cost_s(const rot_system *system, const rot_model *model, const
   static const rot_model_run runs[] = {ROT_SYSTEM_METHODS};                                        \
   const rot_constraint rot_##name##_constraint = {ROT_CONSTRAINT(name, rot_turning)}
 
-/* The start, runs and costs of the static `system`, and its two models as items of a list. */
+/* The start, runs and costs of the static `system`, and its models as items of a list. */
 #define ROT_SYSTEM_RUNS(system)                                                                    \
   static double start_s(const void *scene) { return system.start(scene).start_s; }                 \
   static rot_status integrate(const void *scene, const rot_task *task, rot_method method,          \
@@ -63,12 +67,16 @@ double rot_system_cost_s(const rot_system *system, const rot_model *model, const
   static double explicit_s(const rot_model *model, const void *scene, const rot_query *query) {    \
     return rot_system_cost_s(&system, model, scene, query, 0);                                     \
   }                                                                                                \
+  static double fixed_s(const rot_model *model, const void *scene, const rot_query *query) {       \
+    return rot_system_fixed_s(&system, model, scene, query);                                       \
+  }                                                                                                \
   static double implicit_s(const rot_model *model, const void *scene, const rot_query *query) {    \
     return rot_system_cost_s(&system, model, scene, query, 1);                                     \
   }
 #define ROT_SYSTEM_MODELS(prefix, takes)                                                           \
   ROT_SYSTEM_MODEL(prefix "rk8pd", takes, "explicit steps: it is not stiff", explicit_s, 3e-6),    \
-      ROT_SYSTEM_MODEL(prefix "radau", takes, "implicit steps: it is stiff", implicit_s, 20e-6)
+      ROT_SYSTEM_MODEL(prefix "radau", takes, "implicit steps: it is stiff", implicit_s, 20e-6),   \
+      ROT_FIXED_MODELS(prefix, takes, NULL, fixed_s)
 #define ROT_SYSTEM_MODEL(id, takes, steps, cost_s, step_s)                                         \
   {                                                                                                \
     id, takes, ROT_ADAPTIVE, 1e-13, ROT_FREELY, "integrated, with " steps, NULL, cost_s, {         \
@@ -76,6 +84,6 @@ double rot_system_cost_s(const rot_system *system, const rot_model *model, const
     }                                                                                              \
   }
 #define ROT_SYSTEM_METHODS                                                                         \
-  {ROT_METHOD_RK8PD, integrate}, { ROT_METHOD_RADAU, integrate }
+  {ROT_METHOD_RK8PD, integrate}, {ROT_METHOD_RADAU, integrate}, ROT_FIXED_METHODS(integrate)
 
 #endif

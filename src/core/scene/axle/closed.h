@@ -4,7 +4,7 @@
 
 #include "scene/axle/scene.h"
 
-enum { ROT_AXLE_MODELS = 10 };
+enum { ROT_AXLE_MODELS = 13 };
 
 /* NULL: an integrator. */
 extern const rot_axle_model rot_axle_forms[ROT_AXLE_MODELS];

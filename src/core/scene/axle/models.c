@@ -6,6 +6,7 @@
 #include "scene/axle/balances.h"
 #include "scene/axle/drop.h"
 #include "scene/axle/forced.h"
+#include "engine/ode/fixed.h"
 #include "scene/axle/inputs.h"
 #include "scene/axle/pace.h"
 #include "scene/axle/runs.h"
@@ -219,6 +220,12 @@ static double radau_s(const rot_model *model, const void *scene, const rot_query
 
 /* ---- models ---------------------------------------------------------------------------------- */
 
+static double fixed_s(const rot_model *model, const void *scene, const rot_query *query) {
+  rot_pace pace;
+  rot_axle_pace_of_start(scene, &pace);
+  return rot_fixed_cost_s(model, query, rot_axle_start_s(scene), &pace);
+}
+
 #define ALL ((1u << ROT_AXLE_EFFECTS) - 1u)
 
 #define CLOSED ": closed form"
@@ -270,6 +277,7 @@ static const rot_model models[ROT_AXLE_MODELS] = {
      not_integrated,
      radau_s,
      {0.24, -1.0 / 9.0, 6.0, 2.0}},
+    ROT_FIXED_MODELS("axle_", ALL, not_integrated, fixed_s),
 };
 
 static void drop(const void *scene, const rot_model *model, unsigned untaken,

@@ -91,6 +91,10 @@ static rot_status axle_rhs(double t, const double y[], double dydt[], void *ctx)
   return ROT_OK;
 }
 
+static void new_positions(double t, double h, const double before[], double y[], void *ctx) {
+  y[TURNED] = before[TURNED] + h * omega_of(ctx, t, y[OMEGA]);
+}
+
 /* Where I(t) jumps, L stays and L^2 / 2 I is made up by what changes the inertia. */
 static void cross_inertia(double t, double y[], int forward, void *ctx) {
   const motion *m = ctx;
@@ -248,7 +252,9 @@ rot_status rot_axle_integrate(const rot_axle_scene *scene, const rot_axle_ode_op
         .noise = noise,
         .kinks = has_kinks(scene),
         .resolution = rot_ode_resolution(called, options->resolution),
-        .expensive = called};
+        .expensive = called,
+        .step_s = rot_ode_is_fixed(options->method) ? options->step_s : 0.0,
+        .positions = new_positions};
     failure = rot_ode_run(&ode, n, time_s, y, slope, error, largest, hooks, info);
     if (failure == ROT_ERHS) failure = ROT_ETORQUE;
     if (failure == ROT_EUNWIND || failure == ROT_ENOMEM) {

@@ -15,6 +15,7 @@ typedef struct rot_axle_ode_options {
   size_t max_steps;
   rot_method method; /* ROT_METHOD_NONE: choose */
   double resolution; /* of changes of a law that is called: see engine/ode/ode.h; 0: as there */
+  double step_s;     /* of a method with steps of fixed length */
 } rot_axle_ode_options;
 
 /* The scene's call, if it has one, is added to its knots and terms. Errors are estimates. `flows`:

@@ -46,6 +46,12 @@ void rot_axle_pace(const void *built, const double sizes[], rot_pace *pace) {
   *pace = (rot_pace){1.0 / rates.decay_per_s, rates.swing_rad_per_s};
 }
 
+void rot_axle_pace_of_start(const void *built, rot_pace *pace) {
+  const rot_axle_scene *scene = built;
+  const double sizes[] = {fabs(scene->linear.theta0_rad), fabs(scene->linear.omega0_rad_per_s)};
+  rot_axle_pace(scene, sizes, pace);
+}
+
 const double *rot_axle_breaks(const void *built, size_t *n) {
   const rot_axle_scene *scene = built;
   *n = scene->n_breaks;

@@ -5,7 +5,9 @@
 #include "scene/axle/drop.h"
 #include "scene/axle/forced.h"
 #include "scene/axle/linear.h"
+#include "engine/ode/fixed.h"
 #include "scene/axle/ode.h"
+#include "scene/axle/pace.h"
 #include "scene/axle/oscillator.h"
 #include "scene/axle/pendulum.h"
 #include "scene/axle/skater.h"
@@ -105,13 +107,20 @@ static void add_rounding(const rot_axle_built *axle, const rot_task *task, rot_i
   for (int i = 0; i < 2; i++) info->measure[i].error += error[i];
 }
 
+static double step_of(const rot_axle_built *axle, const rot_task *task) {
+  rot_pace pace;
+  rot_axle_pace_of_start(axle, &pace);
+  return rot_fixed_task_step_s(task, axle->scene.linear.start_s, &pace);
+}
+
 /* By a closed form, or integrated where there is none. */
 static rot_status run(rot_axle_model closed, const rot_axle_built *axle, const rot_task *task,
                       rot_method method, const rot_rows *rows, const rot_hooks *hooks,
                       rot_info *info) {
   const rot_axle_columns out = columns_of(rows->column);
   const rot_axle_ode_options options = {task->accuracy, task->max_steps,
-                                        task->asked ? method : ROT_METHOD_NONE, task->resolution};
+                                        rot_task_method(task, method), task->resolution,
+                                        rot_ode_is_fixed(method) ? step_of(axle, task) : 0.0};
   const rot_axle_flows flows = {rows->flow, rows->flow_error};
   rot_axle_built solved;
   rot_store store = {0};
@@ -160,4 +169,5 @@ const rot_model_run rot_axle_runs[ROT_AXLE_MODELS] = {
     {ROT_METHOD_NONE, run_forced},      {ROT_METHOD_NONE, run_oscillator},
     {ROT_METHOD_NONE, run_pendulum},    {ROT_METHOD_NONE, run_bands},
     {ROT_METHOD_RK8PD, run_integrated}, {ROT_METHOD_RADAU, run_integrated},
+    ROT_FIXED_METHODS(run_integrated),
 };

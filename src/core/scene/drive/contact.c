@@ -10,6 +10,18 @@
 /* Capacity and load that agree to this part are a tie: each is a sum of a few torques. */
 #define TIE 1e-13
 
+static double twist_rate(const rot_drive_system *s, const double y[], size_t j) {
+  return rot_drive_omega(s, y, j) - s->scene->coupling[j].ratio * rot_drive_omega(s, y, j + 1);
+}
+
+void rot_drive_positions(const rot_drive_system *s, double h, const double before[], double y[]) {
+  for (size_t u = 0; u < s->m; u++) y[u] = before[u] + h * y[s->m + u];
+  for (size_t j = 0; j + 1 < s->n; j++) {
+    if (s->scene->coupling[j].kind != ROT_DRIVE_SHAFT) continue;
+    y[s->state_of[j]] = before[s->state_of[j]] + h * twist_rate(s, y, j);
+  }
+}
+
 void rot_drive_rates(const rot_drive_system *s, const double y[], const signed char mode[],
                      double dydt[]) {
   for (size_t u = 0; u < s->m; u++) {
@@ -19,7 +31,7 @@ void rot_drive_rates(const rot_drive_system *s, const double y[], const signed c
   for (size_t j = 0; j + 1 < s->n; j++) {
     const rot_drive_coupling *c = &s->scene->coupling[j];
     if (c->kind == ROT_DRIVE_SHAFT) {
-      dydt[s->state_of[j]] = rot_drive_omega(s, y, j) - c->ratio * rot_drive_omega(s, y, j + 1);
+      dydt[s->state_of[j]] = twist_rate(s, y, j);
     } else if (c->kind == ROT_DRIVE_CLUTCH) {
       const size_t k = s->contact_of[j];
       dydt[s->state_of[j]] = mode[k] == ROT_DRIVE_STICKS ? 0.0 : rot_drive_slip_rate(s, k);

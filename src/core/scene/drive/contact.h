@@ -11,6 +11,9 @@
 rot_status rot_drive_settle(rot_drive_system *s, double t, double y[], signed char mode[],
                             int breaks, double ahead_s);
 
+/* The positions at the end of a step of length h, of which y has the rates. */
+void rot_drive_positions(const rot_drive_system *s, double h, const double before[], double y[]);
+
 /* Rates of the state in these modes, after rot_drive_forces(). */
 void rot_drive_rates(const rot_drive_system *s, const double y[], const signed char mode[],
                      double dydt[]);

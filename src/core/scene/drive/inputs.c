@@ -11,7 +11,9 @@
 #include "scene/axle/inputs.h"
 #include "scene/drive/mesh.h"
 #include "scene/drive/exact.h"
+#include "engine/ode/fixed.h"
 #include "scene/drive/ledger.h"
+#include "scene/drive/pace.h"
 
 /* ---- couplings and brakes -------------------------------------------------------------------- */
 
@@ -370,8 +372,11 @@ static rot_status open_ledger(size_t n, const rot_rows *rows, rot_store *store,
 static rot_status run(rot_drive_form form, const rot_drive_scene *scene, const rot_task *task,
                       rot_method method, const rot_rows *rows, const rot_hooks *hooks,
                       rot_info *info) {
+  rot_pace pace;
+  rot_drive_pace_of_start(scene, &pace);
   const rot_drive_ode_options options = {task->accuracy, task->max_steps,
-                                         task->asked ? method : ROT_METHOD_NONE, task->resolution};
+                                         rot_task_method(task, method), task->resolution,
+                                         rot_fixed_task_step_s(task, scene->start_s, &pace)};
   const rot_drive_columns out = columns_of(rows->column);
   const int exact = form != ROT_DRIVE_FORMS;
   rot_drive_ledger ledger;
@@ -403,8 +408,7 @@ RUN(run_clutch, ROT_DRIVE_AS_CLUTCH)
 RUN(run_shaft, ROT_DRIVE_AS_SHAFT)
 RUN(run_integrated, ROT_DRIVE_FORMS)
 
-const rot_model_run rot_drive_runs[ROT_DRIVE_MODELS] = {{ROT_METHOD_NONE, run_axle},
-                                                        {ROT_METHOD_NONE, run_clutch},
-                                                        {ROT_METHOD_NONE, run_shaft},
-                                                        {ROT_METHOD_RK8PD, run_integrated},
-                                                        {ROT_METHOD_RADAU, run_integrated}};
+const rot_model_run rot_drive_runs[ROT_DRIVE_MODELS] = {
+    {ROT_METHOD_NONE, run_axle},        {ROT_METHOD_NONE, run_clutch},
+    {ROT_METHOD_NONE, run_shaft},       {ROT_METHOD_RK8PD, run_integrated},
+    {ROT_METHOD_RADAU, run_integrated}, ROT_FIXED_METHODS(run_integrated)};

@@ -3,11 +3,12 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "scene/axle/pace.h"
+#include "engine/ode/fixed.h"
 #include "scene/drive/exact.h"
 #include "scene/drive/inputs.h"
 #include "scene/drive/ledger.h"
 #include "scene/drive/mesh.h"
+#include "scene/drive/pace.h"
 #include "ground/search.h"
 
 /* ---- effects --------------------------------------------------------------------------------- */
@@ -173,6 +174,12 @@ static double exact_s(const rot_model *model, const void *of, const rot_query *q
   return model->seconds[0] + rows * model->seconds[coupled ? 3 : lossy ? 2 : 1];
 }
 
+static double fixed_s(const rot_model *model, const void *of, const rot_query *query) {
+  rot_pace pace;
+  rot_drive_pace_of_start(of, &pace);
+  return rot_fixed_cost_s(model, query, rot_drive_start_s(of), &pace);
+}
+
 static const rot_model models[] = {
     {"drive_axle",
      TORQUE | LAW | GEAR | VISCOUS,
@@ -219,48 +226,8 @@ static const rot_model models[] = {
      not_integrated,
      radau_s,
      {0.24, -1.0 / 9.0, 6.0, 2.0}},
+    ROT_FIXED_MODELS("drive_", ALL, not_integrated, fixed_s),
 };
-
-/* A bound on the largest eigenvalue of J^-1/2 K J^-1/2 (Gershgorin), with K of springs or dampers
- * between neighbours, each behind a gear: k (theta_i - ratio theta_(i+1))^2/2. Gears that hold
- * rotors together only lessen it. `of`: where a coupling has its k. */
-static double largest_rate(const rot_drive_scene *scene, size_t of) {
-  double most = 0.0, before = 0.0;
-  for (size_t i = 0; i < scene->n; i++) {
-    double own = before;
-    if (i + 1 < scene->n) {
-      const rot_drive_coupling *c = &scene->coupling[i];
-      const double k = *(const double *)((const char *)c + of);
-      const double j = scene->rotor[i].linear.inertia_kg_m2;
-      const double next = scene->rotor[i + 1].linear.inertia_kg_m2;
-      const double across = k * fabs(c->ratio) / sqrt(j) / sqrt(next);
-      own += k / j + across;
-      before = k * c->ratio * c->ratio / next + across;
-    }
-    most = fmax(most, own);
-  }
-  return most;
-}
-
-static void pace(const void *of, const double sizes[], rot_pace *to) {
-  const rot_drive_scene *scene = of;
-  double decay = 0.0;
-  double swing = sqrt(largest_rate(scene, offsetof(rot_drive_coupling, stiffness_n_m_per_rad)));
-  for (size_t i = 0; i < scene->n; i++) {
-    const rot_drive_grip *grip[] = {&scene->brake[i],
-                                    i + 1 < scene->n ? &scene->coupling[i].grip : NULL};
-    const rot_axle_rates rotor = rot_axle_rates_of(&scene->rotor[i], sizes[ROT_OMEGA]);
-    decay = fmax(decay, rotor.decay_per_s);
-    swing = fmax(swing, rotor.swing_rad_per_s);
-    for (int k = 0; k < 2; k++) {
-      if (!grip[k] || !grip[k]->acts) continue;
-      const rot_axle_rates law = rot_axle_rates_of(&grip[k]->law, sizes[ROT_OMEGA]);
-      swing = fmax(swing, law.swing_rad_per_s);
-    }
-  }
-  decay += largest_rate(scene, offsetof(rot_drive_coupling, damping_n_m_s));
-  *to = (rot_pace){1.0 / decay, swing};
-}
 
 static const double *breaks(const void *of, size_t *n) {
   const rot_drive_scene *scene = of;
@@ -293,7 +260,7 @@ const rot_constraint rot_drive_constraint = {
     .terms = rot_drive_terms,
     .audit = rot_drive_audit,
     .keeps = rot_drive_keeps,
-    .pace = pace,
+    .pace = rot_drive_pace,
     .breaks = breaks,
     .between = "coupling",
 };

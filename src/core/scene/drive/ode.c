@@ -77,6 +77,12 @@ static rot_status drive_rhs(double t, const double y[], double dydt[], void *ctx
   return ROT_OK;
 }
 
+static void new_positions(double t, double h, const double before[], double y[], void *ctx) {
+  const motion *m = ctx;
+  (void)t;
+  rot_drive_positions(&m->s, h, before, y);
+}
+
 /* ---- modes ----------------------------------------------------------------------------------- */
 
 /* The row of these modes: one that was used before, or a new one. */
@@ -508,7 +514,9 @@ static rot_status run(motion *m, const rot_drive_ode_options *options, size_t n,
         .noise = m->noise,
         .integrals_between = 1,
         .resolution = rot_ode_resolution(calls_law(s->scene), options->resolution),
-        .kinks = has_kinks(s->scene)};
+        .kinks = has_kinks(s->scene),
+        .step_s = rot_ode_is_fixed(options->method) ? options->step_s : 0.0,
+        .positions = new_positions};
     status = rot_ode_run(&ode, n, time_s, y, NULL, error, error + m->dim, hooks, info);
     if (status == ROT_ERHS) status = ROT_ETORQUE;
     if (status != ROT_EUNWIND && status != ROT_ENOMEM) {
@@ -542,7 +550,7 @@ rot_status rot_drive_integrate(const rot_drive_scene *scene, const rot_drive_ode
     if (status == ROT_OK && options->method == ROT_METHOD_NONE &&
         info->method == ROT_METHOD_RADAU && rot_info_error(info) > options->accuracy) {
       const rot_drive_ode_options implicit = {options->accuracy, options->max_steps,
-                                              ROT_METHOD_RADAU, options->resolution};
+                                              ROT_METHOD_RADAU, options->resolution, 0.0};
       m.mode = 0;
       status = run(&m, &implicit, n, time_s, y, out, ledger, hooks, info);
     }

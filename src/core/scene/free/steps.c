@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "engine/ode/fixed.h"
 #include "maths/attitude.h"
 #include "scene/free/rotors.h"
 #include "scene/free/torque.h"
@@ -400,10 +401,8 @@ double rot_free_default_step(const rot_free_params *p, rot_method method, double
 /* The errors of the rows of `r` by those of half its step. */
 static void note_errors(const run *r, const run *half, double flow_error[], rot_info *info) {
   const rot_free_rotors *rotors = &r->s.rotors;
-  const double *m = r->s.p->moment_kg_m2, powers = ldexp(1.0, rot_free_step_order(r->s.method));
-  /* The difference of two runs of order n is (1 - 2^-n) of the error, but for the next order's part
-   * of it, which may be a quarter with the other sign: 1.2 at order 1, 1.01 at 4. */
-  const double factor = powers / (powers - 1.0) * 0.75 / (0.75 - 0.125 / (powers - 1.0));
+  const double *m = r->s.p->moment_kg_m2;
+  const double factor = rot_ode_fixed_factor(rot_free_step_order(r->s.method));
   const double rounding = 4.0 * ROT_EPS * sqrt(1.0 + (double)half->s.steps);
   double angle = 0.0, omega = 0.0, momentum = 0.0;
   for (int f = 0; f < ROT_FREE_FLOWS; f++) flow_error[f] = 0.0;

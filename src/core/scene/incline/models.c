@@ -3,7 +3,9 @@
 #include <math.h>
 #include <stddef.h>
 
+#include "engine/ode/fixed.h"
 #include "scene/incline/ledger.h"
+#include "scene/incline/pace.h"
 #include "scene/incline/runs.h"
 
 static const rot_effect effects[] = {{"gravity", "gravity", 0, 0},
@@ -64,6 +66,12 @@ static double radau_s(const rot_model *model, const void *scene, const rot_query
   return integrated_s(model, scene, query, 1);
 }
 
+static double fixed_s(const rot_model *model, const void *of, const rot_query *query) {
+  rot_pace of_start;
+  rot_incline_pace_of_start(of, &of_start);
+  return rot_fixed_cost_s(model, query, rot_incline_start(of), &of_start);
+}
+
 static const rot_model models[ROT_INCLINE_MODELS] = {
     {"incline_exact",
      ROT_INCLINE_GRAVITY | ROT_INCLINE_FRICTION | ROT_INCLINE_RESISTANCE,
@@ -92,19 +100,8 @@ static const rot_model models[ROT_INCLINE_MODELS] = {
      not_before,
      radau_s,
      {0.24, -1.0 / 9.0, 6.0, 2.0}},
+    ROT_FIXED_MODELS("incline_", ROT_INCLINE_EFFECTS, not_before, fixed_s),
 };
-
-/* Without gravity and drag the motion has no time of its own. */
-static void pace(const void *of, const double sizes[], rot_pace *to) {
-  const rot_incline_scene *scene = of;
-  const rot_incline_params *p = &scene->slope;
-  const double speed = fmax(sizes[ROT_INCLINE_V], p->radius_m * sizes[ROT_INCLINE_OMEGA]);
-  const double drag = (scene->drag_n_s_per_m + scene->drag_n_s2_per_m2 * speed) / p->mass_kg;
-  const double falls = speed / p->gravity_m_per_s2;
-  to->swing_rad_per_s = 0.0;
-  to->fades_s = drag > 0.0 ? 1.0 / drag : INFINITY;
-  if (isfinite(falls) && falls > 0.0) to->fades_s = fmin(to->fades_s, falls);
-}
 
 static const rot_derived derived[] = {
     {"mass_kg", offsetof(rot_incline_built, scene.slope.mass_kg), 1},
@@ -138,6 +135,6 @@ const rot_constraint rot_incline_constraint = {
     .terms = rot_incline_terms,
     .audit = rot_incline_audit,
     .keeps = rot_incline_keeps,
-    .pace = pace,
+    .pace = rot_incline_pace,
     .event_rows = 1,
 };

@@ -445,6 +445,12 @@ static void note_errors(const motion *m, double accuracy, const rot_incline_colu
   for (int k = 0; k < ROT_INCLINE_SUM_ERRORS; k++) sums->error[k] = 2.0 * error[sum[k]];
 }
 
+static void new_positions(double t, double h, const double before[], double y[], void *ctx) {
+  (void)t, (void)ctx;
+  y[TRAVEL] = before[TRAVEL] + h * y[SPEED];
+  y[TURN] = before[TURN] + h * y[RIM];
+}
+
 rot_status rot_incline_integrate(const rot_incline_scene *scene,
                                  const rot_incline_ode_options *options, size_t n,
                                  const double time_s[], const rot_incline_columns *out,
@@ -498,7 +504,9 @@ rot_status rot_incline_integrate(const rot_incline_scene *scene,
                                 .integrals_between = 1,
                                 .resolution =
                                     rot_ode_resolution(scene->force != NULL, options->resolution),
-                                .kinks = scene->force != NULL};
+                                .kinks = scene->force != NULL,
+                                .step_s = rot_ode_is_fixed(options->method) ? options->step_s : 0.0,
+                                .positions = new_positions};
     failure = rot_ode_run(&ode, n, time_s, y, NULL, error, largest, hooks, info);
     if (failure != ROT_EUNWIND && failure != ROT_ENOMEM) {
       rot_status rows = fill_rows(&m, n, time_s, y, out, sums, info);

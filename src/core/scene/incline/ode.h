@@ -26,6 +26,7 @@ typedef struct rot_incline_ode_options {
   size_t max_steps;
   rot_method method; /* ROT_METHOD_NONE: choose */
   double resolution; /* of changes of a law that is called: see engine/ode/ode.h; 0: as there */
+  double step_s;     /* of a method with steps of fixed length */
 } rot_incline_ode_options;
 
 /* A value for each row. */

@@ -4,7 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "engine/ode/fixed.h"
 #include "scene/incline/ledger.h"
+#include "scene/incline/pace.h"
 
 const rot_column_of rot_incline_all_columns[ROT_INCLINE_ALL_COLUMNS] = {
     {"x_m", 0, 0, "m", 1 + ROT_INCLINE_X, 0},
@@ -121,8 +123,11 @@ static rot_status run_integrated(const void *of, const rot_task *task, rot_metho
                                  const rot_rows *rows, const rot_hooks *hooks, rot_info *info) {
   const rot_incline_scene *scene = of;
   const rot_incline_columns out = columns_of(rows->column);
+  rot_pace pace;
+  rot_incline_pace_of_start(scene, &pace);
   const rot_incline_ode_options options = {
-      task->accuracy, task->max_steps, task->asked ? method : ROT_METHOD_NONE, task->resolution};
+      task->accuracy, task->max_steps, rot_task_method(task, method), task->resolution,
+      rot_fixed_task_step_s(task, scene->slope.start_s, &pace)};
   rot_incline_event_rows log = {0, 0, NULL};
   rot_incline_sums sums;
   double *memory;
@@ -159,4 +164,5 @@ const rot_model_run rot_incline_runs[ROT_INCLINE_MODELS] = {
     {ROT_METHOD_NONE, run_exact},
     {ROT_METHOD_RK8PD, run_integrated},
     {ROT_METHOD_RADAU, run_integrated},
+    ROT_FIXED_METHODS(run_integrated),
 };

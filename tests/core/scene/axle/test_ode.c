@@ -68,7 +68,7 @@ static void integrate_scene(const rot_axle_scene *scene, double accuracy, size_t
   double error[ROT_AXLE_FLOWS] = {0.0}, *value[ROT_AXLE_FLOWS];
   const rot_axle_flows flows = {value, error};
   for (int k = 0; k < ROT_AXLE_FLOWS; k++) value[k] = flow[k];
-  const rot_axle_ode_options options = {accuracy, 100000, method, 0.0};
+  const rot_axle_ode_options options = {accuracy, 100000, method, 0.0, 0.0};
   memset(&integrated, 0x5a, sizeof integrated);
   integrated.out = columns(&integrated);
   rot_events_free(&events);
@@ -730,7 +730,7 @@ static void check_torque_column(void) {
     pendulum p = hanging(18.0);
     const rot_axle_params params = axle(2.0, 0.8, 0.0, 1.0, 3.0, law(gravity, &p));
     const rot_axle_scene scene = scene_of(&params);
-    const rot_axle_ode_options options = {accuracy, 100000, ROT_METHOD_NONE, 0.0};
+    const rot_axle_ode_options options = {accuracy, 100000, ROT_METHOD_NONE, 0.0, 0.0};
     rot_info info;
     ROT_CHECK_EQ_INT(rot_axle_integrate(&scene, &options, ROWS, t, &out, NULL, NULL, NULL, &info),
                      ROT_OK);
@@ -825,7 +825,7 @@ static void check_nan_later(void) {
 static void check_budget(void) {
   pendulum p = hanging(18.0);
   const rot_axle_params scene = axle(2.0, 0.0, 0.0, 1.0, 0.0, law(gravity, &p));
-  const rot_axle_ode_options options = {1e-9, 60, ROT_METHOD_NONE, 0.0};
+  const rot_axle_ode_options options = {1e-9, 60, ROT_METHOD_NONE, 0.0, 0.0};
   const rot_axle_scene whole = scene_of(&scene);
   const double t[] = {0.5, 1.0, 400.0};
   rot_axle_columns out = columns(&integrated);

@@ -187,7 +187,7 @@ static struct {
 
 static void integrate(size_t n_rotors, size_t n, const double t[], rot_method method) {
   const rot_drive_scene scene = scene_of(n_rotors);
-  const rot_drive_ode_options options = {1e-10, 100000, method, 0.0};
+  const rot_drive_ode_options options = {1e-10, 100000, method, 0.0, 0.0};
   run.out =
       (rot_drive_columns){run.value[0], run.value[1], run.value[2], run.value[3], run.value[4],
                           run.value[5], run.value[6], run.locked,   run.value[7], run.value[8]};

@@ -72,7 +72,7 @@ static void compare(size_t n, rot_drive_form form, double start_s, double first_
   static rows exact, by_steps;
   const rot_drive_scene scene = {
       .n = n, .rotor = rotor, .brake = brake, .coupling = coupling, .start_s = start_s};
-  const rot_drive_ode_options options = {1e-12, 100000, ROT_METHOD_RK8PD, 0.0};
+  const rot_drive_ode_options options = {1e-12, 100000, ROT_METHOD_RK8PD, 0.0, 0.0};
   double t[ROWS];
   for (size_t i = 0; i < n; i++) rotor[i].linear.start_s = start_s;
   for (int i = 0; i < ROWS; i++) t[i] = first_s + 0.4 * i;

@@ -30,7 +30,7 @@ static void point(table *to) {
 
 static rot_status run(const rot_incline_scene *scene, size_t n, const double t[], double accuracy,
                       rot_method method, table *to) {
-  const rot_incline_ode_options options = {accuracy, 100000, method, 0.0};
+  const rot_incline_ode_options options = {accuracy, 100000, method, 0.0, 0.0};
   point(to);
   return rot_incline_integrate(scene, &options, n, t, &to->out, &to->sums, &to->events, NULL, NULL,
                                &to->info);
@@ -54,7 +54,7 @@ static rot_incline_scene sphere(double angle_deg, double mu, double arm_m, doubl
 
 /* The rows at events of a run to 3 s: one for each time of the log, as those of the closed form. */
 static void rows_of_events(const rot_incline_scene *scene, rot_method method) {
-  const rot_incline_ode_options options = {1e-10, 100000, method, 0.0};
+  const rot_incline_ode_options options = {1e-10, 100000, method, 0.0, 0.0};
   rot_incline_event_rows exact = {0, 0, NULL}, ours = {0, 0, NULL};
   rot_events events = {0};
   rot_info info;
