@@ -13,8 +13,8 @@
 #'
 #' @param inertia_kg_m2 Moments of inertia (a vector, recycled with the others, so that it works
 #'   inside `dplyr::mutate()`), or one 3 x 3 tensor whose off-diagonal elements are minus the
-#'   products of inertia. Or a body, or a list of them: mass and moment about the own z axis through the
-#'   centre of mass count, and the distance may be the second argument.
+#'   products of inertia. Or a body, or a list of them: the mass, and the moment about the own z
+#'   axis through the centre of mass, count, and the distance may be the second argument.
 #' @param mass_kg Mass, at least 0; not of a body.
 #' @param distance_m For moments: the distance of the two axes. For a tensor: the three components
 #'   of the vector between the two points (its sign has no effect).

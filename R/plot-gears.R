@@ -12,7 +12,7 @@
 #'   `rotdyn_error_type`, `rotdyn_error_value`.
 #' @seealso [gear_train()], [autoplot.rot_scene()].
 #' @examplesIf requireNamespace("ggplot2", quietly = TRUE)
-#' ggplot2::autoplot(gear_train(c(0.01, 0.5, 2), ratios = c(5, -3), torque_n_m = c(2, 0, -4)))
+#' ggplot2::autoplot(gear_train(c(0.01, 0.5, 2), ratios = c(5, -3), torque = c(2, 0, -4)))
 #' @exportS3Method ggplot2::autoplot
 #' @concept plot
 #' @concept gear

@@ -31,7 +31,7 @@
 #' @examplesIf requireNamespace("ggplot2", quietly = TRUE)
 #' ggplot2::autoplot(spin_up(), units = c("turn", "rpm"))
 #' ggplot2::autoplot(spin_up(), panels = c("angular velocity", "torque"))
-#' scene <- scene_clutch(2, 3, capacity_n_m = 12, omega1_rad_per_s = 10)
+#' scene <- scene_clutch(2, 3, capacity_n_m = 12, omega0_rad_per_s = c(10, 0))
 #' ggplot2::autoplot(trajectory(scene, time_s = seq(0, 2, by = 0.02)))
 #' skater <- scene_axle(inertia_knots(c(1, 2), c(5, 2)), omega0_rad_per_s = 2)
 #' ggplot2::autoplot(trajectory(skater, time_s = seq(0, 3, by = 0.02)))
