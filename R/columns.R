@@ -38,6 +38,8 @@ column_list <- list(
   c("max_abs_omega_rad_per_s", "rad/s", "largest |omega| during the motion"),
   c("stop_time_s", "s", "time at which the body comes to rest finally; Inf if it never does"),
   c("stop_theta_rad", "rad", "angle at that time; the angle that it tends to where it never stops"),
+  c("stop_x_m", "m", "path at that time; NaN where it never stops"),
+  c("terminal_v_m_per_s", "m/s", "speed that it tends to"),
   c("terminal_omega_rad_per_s", "rad/s", "limit of omega under the last torque"),
   c("final_omega_1_rad_per_s", "rad/s", "angular velocity of body 1 at the end"),
   c("final_omega_2_rad_per_s", "rad/s", "angular velocity of body 2 at the end"),

@@ -44,6 +44,7 @@ axle_constraint <- function() {
     },
     drawing = draw_axle,
     frames = axle_frames,
+    periods = axle_periods, stops = axle_stops,
     augment = augment_axle,
     panels = list(
       panel("angle (rad)", c(theta_rad = "")),
@@ -210,4 +211,16 @@ augment_axle <- function(x, run, edges, call) {
       damping_impulse_n_m_s = since_first("damping_impulse_n_m_s")
     )
   )
+}
+
+axle_periods <- function(scene, call) {
+  x <- .Call(ffi_axle_period, scene)
+  if (!is.null(torque_loads(given_torque(scene))$law)) x$kind <- "unknown"
+  if (x$kind == "unknown") {
+    abort_no_period(scene, call, paste(
+      "{.code time_when(scene, theta_rad = 0, until_s = ...)} gives the times of its passages."
+    ))
+  }
+  names(x)[names(x) == "ratio"] <- "amplitude_ratio"
+  x
 }

@@ -15,7 +15,6 @@ chain_constraint <- function() {
         "chain", equations = equations, assumptions = assumptions, requires = "a chain of links"
       )
     ),
-    periods = function(scene, call) mode_periods(chain_modes(scene)$natural_rad_per_s),
     title = function(run) {
       n <- length(run$scene$length_m)
       what <- if (run$scene$links == "rods") "rod" else "point mass"
@@ -28,7 +27,11 @@ chain_constraint <- function() {
       panel("angular velocity (rad/s)", c(omega_rad_per_s = "")),
       panel("height of the lower end (m)", c(y_m = ""))
     ),
-    drawing = draw_chain, frames = chain_frames
+    drawing = draw_chain, frames = chain_frames,
+    periods = function(scene, call) {
+      modes <- chain_modes(scene)
+      periods_of_modes(modes$natural_rad_per_s[!duplicated(modes$mode)])
+    }
   )
 }
 

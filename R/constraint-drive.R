@@ -14,6 +14,15 @@ drive_constraint <- function() {
     pace = function(scene, sizes, model) {
       c(.Call(ffi_scene_pace, "drive", scene, as.double(sizes)), list(drifts = TRUE))
     },
+    periods = drive_periods,
+    stops = function(scene, call) {
+      held <- c("friction", "brake") %in% core_effects("drive", scene)
+      if (!any(held)) abort_never_rests(scene, call)
+      found <- rest_of_motion(scene, "omega_rad_per_s", call) %||% abort_no_stop(call)
+      as_table(
+        rotor = found$row$rotor, stop_time_s = found$time_s, stop_theta_rad = found$row$theta_rad
+      )
+    },
     summary = function(x, run) {
       whole <- function(column) {
         if (!is.null(x[[column]])) rowsum(x[[column]], as.character(x$time_s))
@@ -169,4 +178,25 @@ read_drive <- function(bodies, couplings = list(), torque = NULL, resistance = N
     bodies, couplings, torque = torque, resistance = resistance, brake = brake,
     theta0_rad = theta0_rad, omega0_rad_per_s = omega0_rad_per_s, start_s = start_s
   )
+}
+
+# Rotors joined by gears turn as one. With the product P of all ratios before a rotor, inertias to the
+# first shaft are J/P^2 and springs k/P^2.
+drive_periods <- function(scene, call) {
+  kind <- coupling_kinds(scene)
+  if ("clutch" %in% kind) {
+    abort_no_period(scene, call, "A clutch that slips ends every swing: {.fn trajectory} shows it.")
+  }
+  ratio <- vapply(scene$couplings, function(one) one$ratio %||% 1, double(1))
+  product <- cumprod(c(1, ratio))
+  unit <- cumsum(c(TRUE, kind != "gear"))
+  inertia <- as.double(rowsum(scene$moment_of_inertia_kg_m2 / product^2, unit))
+  spring <- kind == "spring"
+  if (!any(spring)) {
+    abort_no_period(scene, call, "Gears alone turn as one body: it needs a {.fn coupling_shaft}.")
+  }
+  stiffness <- of_couplings(scene, "stiffness_n_m_per_rad")[spring] /
+    product[-length(product)][spring]^2
+  shaft <- scene_rotors(inertia, stiffness)
+  periods_of_modes(shaft_modes(shaft)$natural_rad_per_s)
 }

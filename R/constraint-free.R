@@ -19,6 +19,7 @@ free_constraint <- function() {
     drawing = draw_free,
     solid = free_solid,
     augment = augment_free,
+    periods = free_periods,
     panels = free_panels()
   )
 }
@@ -217,4 +218,11 @@ keep_attitude <- function(scene, attitude) {
     scene$attitude0 <- as.double(attitude)
   }
   scene
+}
+
+free_periods <- function(scene, call) {
+  if (length(core_effects("free", scene))) {
+    abort_no_period(scene, call, "{.fn trajectory} and {.fn time_when} show the motion.")
+  }
+  free_period(scene)
 }

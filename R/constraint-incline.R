@@ -71,6 +71,7 @@ incline_constraint <- function() {
         roll_time_s = first("roll")
       )
     },
+    stops = incline_stops,
     drawing = draw_incline,
     frames = incline_frames,
     augment = augment_incline,
@@ -131,5 +132,26 @@ augment_incline <- function(x, run, edges, call) {
     dissipated_j = rowSums(flows[, heats, drop = FALSE]),
     torque_impulse_n_m_s = -scene$radius_m * flows[, "friction_impulse_n_s"],
     damping_impulse_n_m_s = -flows[, "resistance_impulse_n_m_s"]
+  )
+}
+
+incline_stops <- function(scene, call) {
+  found <- rest_of_motion(scene, c("v_m_per_s", "omega_rad_per_s"), call)
+  if (!is.null(found)) {
+    return(as_table(
+      stop_time_s = found$time_s, stop_x_m = found$row$x_m, stop_theta_rad = found$row$theta_rad,
+      terminal_v_m_per_s = 0
+    ))
+  }
+  # In closed form the last acceleration is constant.
+  late <- scene$start_s + c(0.5, 1) * 4^10
+  v <- tryCatch(
+    compute_trajectory(scene, late, 1e-9, "incline_exact", "abort", 1e6, call)$v_m_per_s,
+    rotdyn_error = function(e) abort_no_stop(call)
+  )
+  steady <- abs(v[2] - v[1]) <= 1e-9 * abs(v[2])
+  as_table(
+    stop_time_s = Inf, stop_x_m = NaN, stop_theta_rad = NaN,
+    terminal_v_m_per_s = if (steady) v[2] else sign(v[2]) * Inf
   )
 }

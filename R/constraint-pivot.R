@@ -105,3 +105,19 @@ read_pivot <- function(body, omega0_rad_per_s, pivot_m = c(0, 0, 0), mass_kg = N
     torque_axes = torque_axes, resistance = resistance, rotors = rotors, start_s = start_s
   ), attitude0)
 }
+
+# The period of the nutation, the cosines of the two inclinations, what the axis precesses in it.
+pivot_periods <- function(scene, call) {
+  nutation <- .Call(ffi_pivot_nutation, scene)
+  if (is.null(nutation)) {
+    abort_no_period(scene, call, paste(
+      "It takes a symmetric top, gravity, and nothing else; {.fn time_when} gives the times of",
+      "its turning points."
+    ))
+  }
+  list(
+    period_s = c(2 * pi * nutation[1] / abs(nutation[4]), nutation[1]),
+    kind = c("precession", "nutation"),
+    amplitude_rad = c(NaN, abs(diff(acos(pmax(-1, pmin(1, nutation[2:3]))))) / 2)
+  )
+}

@@ -30,7 +30,7 @@ rotors_constraint <- function() {
     },
     keys = c("time_s", "rotor", "theta_rad", "omega_rad_per_s", "shaft_torque_n_m"),
     pace = rotors_pace,
-    periods = function(scene, call) mode_periods(shaft_modes(scene)$natural_rad_per_s),
+    periods = function(scene, call) periods_of_modes(shaft_modes(scene)$natural_rad_per_s),
     summary = function(x, run) {
       whole <- function(column) {
         if (!is.null(x[[column]])) rowsum(x[[column]], as.character(x$time_s))

@@ -1,7 +1,8 @@
-#' The period of a motion
+#' The periods of a motion
 #'
 #' In closed form: a pendulum at any amplitude and in rotation, an oscillator with a spring, a wheel
-#' that turns freely, a top that precesses, the modes of a shaft and of a chain.
+#' that turns freely; the modes of rotors on shafts, of a drive and of a chain; the small swings of a
+#' bead on a hoop; the wobble of a free body; precession and nutation of a top.
 #'
 #' \deqn{T = 4 \sqrt{I / (m g d)} \, K(\sin^2(A / 2))}{T = 4 sqrt(I/(m g d)) K(sin^2(A/2))}
 #' for a pendulum of amplitude A, with the complete elliptic integral K. An oscillator
@@ -9,28 +10,34 @@
 #' between two passages of the rest angle in the same sense. With damping the motion itself has no
 #' period: each cycle multiplies the amplitude by `amplitude_ratio`.
 #'
-#' A top has the mean time of a turn of its axis about the vertical, and that of a nutation; a
-#' vertical one the time of a slow steady turn beside the vertical. Rotors on a shaft and a chain
-#' have the periods of their modes without damping, of a chain those of small swings.
+#' A mode is a swing in which all parts pass rest together, of small amplitude and without damping. A
+#' free body wobbles: its angular velocity in its own axes repeats after the time between two flips,
+#' twice. The axis of a top goes around the vertical (precession, by the mean rate) and nods
+#' (nutation).
 #'
-#' @param scene A [scene_axle()] or [scene_pendulum()]; a [scene_pivot()] of a symmetric top, a
-#'   [scene_rotors()] or a [scene_chain()].
+#' @param scene A scene of [scene_axle()], [scene_pendulum()], [scene_gears()], [scene_rotors()],
+#'   [scene_drive()] without clutches, [scene_chain()], [scene_hoop()], [scene_free()] or
+#'   [scene_pivot()].
 #' @param ... Not used: an unknown argument is an error.
-#' @return A tibble with the columns
+#' @return A tibble with the columns below, one row for a body on an axle, one for each mode or
+#'   periodic part of the others:
 #'   `r describe_columns(period_columns)`
-#'   It has one row; of a top there are two, with the `kind` `"precession"` and `"nutation"`, of
-#'   rotors and chains one for each `"mode"` with a frequency above 0, the slowest first. For a body
-#'   on an axle `kind` is `"oscillation"`; `"rotation"` (the period is the time of a turn); `"rest"`
-#'   (it hangs still: the period of a small swing); `"separatrix"` (it tends to the top, or is
-#'   balanced there: Inf); `"damped"` (the time of a cycle; NaN where no cycle is like another: a
-#'   damped pendulum, drag, dry friction); `"overdamped"` and `"none"` (NaN: nothing swings).
-#'   `amplitude_rad` is NaN where there is none.
-#' @section Errors: `rotdyn_error_type`; `rotdyn_error_model` where no closed form tells (a driven
-#'   motion, gravity with a spring): `time_when(scene, theta_rad = 0)` gives the passages.
+#'   `kind` is `"oscillation"`; `"rotation"` (the period is the time of a turn); `"rest"` (it hangs
+#'   still: the period of a small swing); `"separatrix"` (it tends to the top, or is balanced there:
+#'   Inf); `"damped"` (the time of a cycle; NaN where no cycle is like another: a damped pendulum,
+#'   drag, dry friction); `"overdamped"` and `"none"` (NaN: nothing swings); of the other scenes
+#'   `"mode"` (slowest first; turning as a whole is none), `"small swing"` (about each place where a
+#'   bead may rest, lowest angle first), `"wobble"`, `"precession"` and `"nutation"`.
+#'   `amplitude_rad` is NaN where there is none: of modes and small swings, which have any, and of
+#'   precession; of a nutation it is half of the way between its two inclinations.
+#' @section Errors: `rotdyn_error_type`; `rotdyn_error_model` where there is no closed form (a driven
+#'   motion, gravity with a spring, a tumbling body with a torque) and where nothing swings (an
+#'   incline, a clutch): [time_when()] gives the passages.
 #' @source Landau and Lifshitz, Mechanics, 3rd ed. (1976), sections 11 and 25. The integral by the
 #'   arithmetic-geometric mean to twice the precision, so that it holds beside the separatrix, too.
-#' @seealso [precession_table()], [shaft_modes()], [chain_modes()], [flip_time()] of a free body;
-#'   [time_when()], [stopping()], [motion_events()].
+#'   Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), sections 5.6, 5.7 and 6.2.
+#' @seealso [time_when()], [stopping()], [motion_events()], [shaft_modes()], [chain_modes()],
+#'   [flip_time()], [precession_table()].
 #' @concept period
 #' @concept frequency
 #' @concept pendulum
@@ -49,58 +56,39 @@
 #' turns$theta_rad
 #' # A torsion pendulum in oil.
 #' period_of(scene_axle(0.02, torque_spring(0.5), resistance(0.01), theta0_rad = 0.3))
+#' # A double pendulum: two modes. A tumbling box.
+#' period_of(scene_chain(c(1, 1), 1, 0.1))
+#' period_of(scene_free(c(1, 2, 3), c(0.01, 4, 0.01)))
 #' @export
 period_of <- function(scene, ...) {
   call <- check_no_dots(...)
   check_supplied("scene", call)
-  if (inherits(scene, "rot_scene")) {
-    check_scene(scene, call)
-    periods <- constraint_of(scene)$periods
-    if (!is.null(periods)) return(new_table(periods(scene, call)))
-  }
-  check_scene_of(
-    scene, "axle", call,
-    "Of another scene {.code time_when(scene, ..., occurrence = \"all\")} gives the passages."
-  )
-  x <- .Call(ffi_axle_period, scene)
-  if (!is.null(torque_loads(given_torque(scene))$law)) x$kind <- "unknown"
-  if (x$kind == "unknown") {
+  check_scene(scene, call)
+  constraint <- constraint_of(scene)
+  if (is.null(constraint$periods)) {
     abort_rotdyn(c(
-      "There is no closed form of the period of this motion.",
-      x = "On it act: {paste(core_effects('axle', scene), collapse = ', ')}.",
-      i = "{.code time_when(scene, theta_rad = 0, until_s = ...)} gives the times of its passages."
+      "Nothing swings in this scene: it has no period.",
+      x = "It is {.obj_type_friendly {scene}}.",
+      i = "{.fn time_when} and {.fn motion_events} give the times of what happens."
     ), "model", call)
   }
+  found <- constraint$periods(scene, call)
+  n <- length(found$period_s)
   new_table(list(
-    period_s = x$period_s, kind = x$kind, amplitude_rad = x$amplitude_rad,
-    amplitude_ratio = x$ratio
-  ), nrow = 1L)
+    period_s = found$period_s, kind = rep_len(found$kind, n),
+    amplitude_rad = rep_len(found$amplitude_rad %||% NaN, n),
+    amplitude_ratio = rep_len(found$amplitude_ratio %||% NaN, n)
+  ), nrow = n)
 }
 
-# For the `periods` of a constraint: rows without an amplitude.
-periods_of_kind <- function(period_s, kind) {
-  list(
-    period_s = period_s, kind = rep_len(kind, length(period_s)),
-    amplitude_rad = rep(NaN, length(period_s)), amplitude_ratio = rep(NaN, length(period_s))
-  )
+abort_no_period <- function(scene, call, remedy) {
+  effects <- unname(core_effects(constraint_of(scene)$id, scene))
+  abort_rotdyn(c(
+    "There is no closed form of the period of this motion.",
+    x = if (length(effects)) "On it act: {paste(effects, collapse = ', ')}.",
+    i = remedy
+  ), "model", call)
 }
 
-# Angular frequencies of modes, of which those of rigid motions are 0.
-mode_periods <- function(omega) periods_of_kind(2 * pi / sort(unique(omega[omega > 0])), "mode")
-
-pivot_periods <- function(scene, call) {
-  if (!is.null(scene$torque) || !is.null(scene$resistance)) {
-    abort_rotdyn(c(
-      "A top under a torque, or with resistance, has no period.",
-      i = "{.fn trajectory} has its motion."
-    ), "model", call)
-  }
-  top <- table_of_tops(scene, list(given = character()), call)
-  nutation <- .Call(ffi_pivot_nutation, scene) %||% rep(NA_real_, 4)
-  turn <- 2 * pi * nutation[1] / abs(nutation[4])
-  if (!is.finite(turn)) {
-    steady <- if (top$spin_rad_per_s != 0) precession_table(scene)$slow_precession_rad_per_s
-    turn <- 2 * pi / abs(steady %||% NaN)
-  }
-  periods_of_kind(c(turn, nutation[1]), c("precession", "nutation"))
-}
+# Natural rates as periods; a rate of 0 turns as a whole.
+periods_of_modes <- function(rates) list(period_s = 2 * pi / rates[rates %in% 0 == FALSE], kind = "mode")

@@ -8,9 +8,12 @@
 #' angle finite. With dry friction it stops, and stays at rest while the torque is at most the
 #' static friction.
 #'
-#' @param scene A [scene_axle()].
+#' A body on an incline, a bead on a hoop, a drive and rotors stop by friction. Their motion is
+#' computed, by the model that [trajectory()] takes, until all is at rest for good.
+#'
+#' @param scene A scene of [scene_axle()], [scene_incline()], [scene_hoop()] or [scene_drive()].
 #' @param ... Not used: an unknown argument is an error.
-#' @return A tibble of one row with the columns
+#' @return Of an axle a tibble of one row with the columns
 #'   `r describe_columns(c("stop_time_s", "stop_theta_rad", "terminal_omega_rad_per_s"))`
 #'   Where the body never comes to rest for good, `stop_time_s` is Inf and `stop_theta_rad` the
 #'   angle that it tends to: \eqn{\theta_0 + I \omega_0 / c}{theta0 + I omega0/c} with viscous
@@ -18,8 +21,16 @@
 #'   with quadratic drag, too; infinite with quadratic drag alone; NaN where a speed is left. The
 #'   terminal speed is 0 where friction holds the last torque, and infinite where nothing resists
 #'   it; where in the end nothing acts at all, it is the speed left.
+#'
+#'   Of the others the columns `stop_time_s`, when all is at rest, and the place where: `stop_x_m` and
+#'   `stop_theta_rad` on an incline, `stop_theta_rad` of a bead, `rotor` and `stop_theta_rad` with a
+#'   row for each rotor of a drive. On an incline also `terminal_v_m_per_s`: where the body never
+#'   stops, `stop_time_s` is Inf, the place is NaN, and the speed is what it tends to, infinite where
+#'   it is accelerated for good.
 #' @section Errors: `rotdyn_error_type`; `rotdyn_error_model` where the closed form does not fit
-#'   (see [choose_model()], model `axle_drag`).
+#'   (see [choose_model()], model `axle_drag`), where a law changes in time or is a function, and
+#'   where nothing is seen to stop: a scene without dry friction, or one still in motion 4^10 s after
+#'   the last change of its laws.
 #' @source Riccati's equation; Armstrong-Helouvry, Control of Machines with Friction (1991), chapter
 #'   2.
 #' @seealso [time_when()], [motion_events()], [resistance()].
@@ -36,11 +47,24 @@
 #' stopping(scene_axle(2.5, resistance = resistance(0.004), omega0_rad_per_s = 150))
 #' # A fan: terminal speed where the drag balances the torque, sqrt(0.8/2e-3) = 20 rad/s.
 #' stopping(scene_axle(0.1, 0.8, resistance(quadratic_n_m_s2 = 2e-3)))
+#' # A ball thrown onto a rough floor with rolling resistance; a bead with friction.
+#' stopping(scene_incline(
+#'   body_sphere(1, 0.1), 0, v0_m_per_s = 3, static_friction = 0.3, rolling_arm_m = 0.002
+#' ))
+#' stopping(scene_hoop(1, 1, 2, theta0_rad = 1, static_friction = 0.1))
 #' @export
 stopping <- function(scene, ...) {
   call <- check_no_dots(...)
   check_supplied("scene", call)
-  check_scene_of(scene, "axle", call)
+  check_scene(scene, call)
+  constraint <- constraint_of(scene)
+  if (is.null(constraint$stops)) abort_never_rests(scene, call)
+  constraint$stops(scene, call)
+}
+
+# ---- in closed form -----------------------------------------------------------------------------
+
+axle_stops <- function(scene, call) {
   fit <- core_pick("axle", scene, scene$start_s, 1, model = "axle_drag")
   # At the start alone, all may be left out.
   left_out <- fit$dropped[[1]]$effects
@@ -69,4 +93,59 @@ terminal_omega <- function(scene, omega, call) {
   end <- max(scene$start_s, knots$time_s)
   drag <- constraint_of(scene)$models$axle_drag
   drag$run(scene, end, 1e-9, 1e6, call, TRUE)$columns$omega_rad_per_s
+}
+
+# ---- by the motion itself -----------------------------------------------------------------------
+
+# The time from which a motion that ends at rest is at rest, and its row: NULL if it is not seen to
+# end so in 4^10 s beyond the last change of a law. `rates`: the columns that are 0 at rest.
+rest_of_motion <- function(scene, rates, call) {
+  changes <- last_change(list(scene[["torque"]], scene[["force"]]))
+  if (changes == Inf) {
+    abort_rotdyn(c(
+      "What drives this scene changes in time, or is a function: no stop is known to be for good.",
+      i = "{.fn trajectory} and {.fn motion_events} show its stops."
+    ), "model", call)
+  }
+  run <- function(time_s) {
+    suppressWarnings(compute_trajectory(scene, time_s, 1e-9, NULL, "abort", 1e6, call))
+  }
+  for (k in 0:10) {
+    motion <- tryCatch(
+      run(max(scene$start_s, changes) + 4^k), rotdyn_error_budget = function(e) NULL
+    )
+    if (is.null(motion)) return(NULL)
+    if (all(vapply(rates, function(name) all(motion[[name]] == 0), NA))) {
+      at <- max(scene$start_s, trajectory_run(motion)$events$time_s)
+      return(list(time_s = at, row = run(at)))
+    }
+  }
+  NULL
+}
+
+# Of laws: the time of the last knot, -Inf where nothing changes in time, Inf where it goes on.
+last_change <- function(law) {
+  if (inherits(law, "rot_torque_sum")) law <- law$laws
+  if (inherits(law, "rot_torque_knots")) return(max(-Inf, law$time_s))
+  if (inherits(law, c("rot_torque_motor", "rot_torque_spring", "rot_torque_gravity")) ||
+        is.null(law) || is.numeric(law)) {
+    return(-Inf)
+  }
+  if (is.function(law) || inherits(law, "rot_torque") || !is.list(law)) return(Inf)
+  max(-Inf, vapply(law, last_change, double(1)))
+}
+
+abort_never_rests <- function(scene, call) {
+  abort_rotdyn(c(
+    "No dry friction holds this scene at rest: it does not stop in a finite time.",
+    x = "It is {.obj_type_friendly {scene}}.",
+    i = "{.fn trajectory} shows how it slows down."
+  ), "model", call)
+}
+
+abort_no_stop <- function(call) {
+  abort_rotdyn(c(
+    "This scene is not seen to stop in 1e6 s.",
+    i = "{.fn trajectory} and {.fn motion_events} show the motion."
+  ), "model", call)
 }

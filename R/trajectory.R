@@ -18,16 +18,18 @@
 #'   `"abort"` with an error that says where, or `"truncate"`: the rows before the failure, with a
 #'   warning of class `rotdyn_warning_truncated`.
 #' @param max_steps Most steps that an integrator tries in one run, beyond one for each row.
-#' @param step_s Length of the steps in s, for models whose steps are of fixed length: explicit Euler
-#'   (`axle_euler`), semi-implicit Euler (`axle_semi_implicit`), Runge-Kutta of order 4 (`axle_rk4`);
-#'   `drive_`, `incline_`, `hoop_`, `chain_`, `free_` and `pivot_` likewise, and `free_split` and
-#'   `pivot_split`. They run only where `model` names them. NULL: 1/64 of the shortest time scale of
-#'   the scene at its start (a decay, a swing), 1/1000 of the span where it has none. Of bodies that
-#'   turn freely or about a point: of the time \eqn{2\pi/\nu}{2 pi/nu} the 64th part, of `_split` the
-#'   32nd, with \eqn{\nu = |\omega_0| + \sqrt{\tau/I} + \gamma}{nu = |omega0| + sqrt(tau/I) + damping},
-#'   the largest torque and the least moment. A step ends at each break of a law, at each event that
-#'   changes the law, and at each row. They have no accuracy of their own: `accuracy = 1` asks for
-#'   none, and the error of each run is estimated by a second one with half the step.
+#' @param step_s Length of the steps in s, for models whose steps are of fixed length: explicit
+#'   Euler (`axle_euler`), semi-implicit Euler (`axle_semi_implicit`), Runge-Kutta of order 4
+#'   (`axle_rk4`); `drive_`, `incline_`, `hoop_`, `chain_`, `free_` and `pivot_` likewise, and
+#'   `free_split` and `pivot_split`. They run only where `model` names them. NULL: 1/64 of the
+#'   shortest time scale of the scene at its start (a decay, a swing), 1/1000 of the span where it
+#'   has none. Of bodies that turn freely or about a point: of the time
+#'   \eqn{2\pi/\nu}{2 pi/nu} the 64th part, of `_split` the 32nd, with
+#'   \eqn{\nu = |\omega_0| + \sqrt{\tau/I} + \gamma}{nu = |omega0| + sqrt(tau/I) + damping}, the
+#'   largest torque and the least moment. A step ends at each break of a law and at each event that
+#'   changes the law; a row between two steps takes a shorter one. They have no accuracy of their
+#'   own: `accuracy = 1` asks for none, and the error of each run is estimated by a second one with
+#'   half the step.
 #' @param event_rows TRUE: also a row at the time of each event between the first time and the last,
 #'   and a column `event` that names the event in each row at its time, asked for or added. A
 #'   [scene_incline()] has that column always, and takes the rows from the run itself; other scenes

@@ -1,8 +1,8 @@
 #!/bin/sh
 # Tables, metadata, a run, and at least one wrong row for each constraint in SQLite (STRICT tables),
 # PostgreSQL (a server of its own, on a socket in a scratch folder) and DuckDB (its npm package),
-# and in R by the metadata check. 300 random scenes computed again, and 50 kills while recording. What
-# is not installed is named and skipped.
+# and by the metadata check of R. 300 random scenes computed again, and 50 kills while recording.
+# What is not installed is named and skipped.
 . "${0%/*}/common.sh"
 
 passed=0 failed=0 skipped=0

@@ -239,3 +239,25 @@ test_that("the work of few steps is known no better than their error tests say",
     expect_lt(a$rounding[1], 1e-5 * abs(a$terms[[1]]$value[1]))
   }
 })
+
+test_that("a law that was looked at between times is looked at four times as closely", {
+  run <- list(
+    info = list(resolution = 0.25), scene = list(resolution = NULL), solved = list(a = 1),
+    ledger = 3
+  )
+  closer <- rotdyn:::look_closer(run)
+  expect_identical(closer$scene$resolution, 0.0625)
+  expect_identical(closer$solved$resolution, 0.0625)
+  expect_null(closer$ledger)
+  for (resolution in list(NULL, 1, 1.5)) {
+    run$info["resolution"] <- list(resolution)
+    expect_identical(rotdyn:::look_closer(run), run)
+  }
+})
+
+test_that("an audit prints one digit where one is asked for, and none is refused", {
+  a <- audit(trajectory(scene_axle(2, 3), c(0, 4)))
+  expect_output(print(a, digits = 1), "balanced")
+  expect_error(print(a, digits = 0), class = "rotdyn_error_value")
+  expect_error(print(a, digits = 23), class = "rotdyn_error_value")
+})

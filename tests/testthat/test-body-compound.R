@@ -398,3 +398,12 @@ test_that("a shape that was turned says that its formula is from before", {
   pair <- join_bodies(box, once)
   expect_equal(place_body(pair, rotation = turn)$formula, pair$formula)
 })
+
+test_that("a turn carries the error of the centre along, by the square root of three", {
+  joined <- join_bodies(body_sphere(1, 0.1), place_body(body_sphere(3, 0.2), c(1, 0.5, -0.25)))
+  off <- rotdyn:::centre_error(joined)
+  expect_gt(off, 0)
+  turned <- place_body(joined, rotation = rotation_rpy(c(0.3, -0.7, 1.2)))
+  rounding <- 8 * .Machine$double.eps * max(abs(turned$centre_m))
+  expect_within(turned$detail$centre_error_m, sqrt(3) * off + rounding, 1e-9)
+})

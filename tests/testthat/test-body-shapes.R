@@ -255,3 +255,10 @@ test_that("beta is there for what rolls, Izz/(m r^2) on the outer radius", {
     }
   }
 })
+
+test_that("the centre of a shape that lies off its origin is known to eight roundings", {
+  half <- body_hemisphere(2, 0.8)
+  expect_equal(half$centre_m[["z"]], 3 / 8 * 0.8)
+  expect_within(half$detail$centre_error_m, 8 * 2^-53 * 0.3, 1e-9)
+  expect_null(body_sphere(2, 0.8)$detail$centre_error_m)
+})

@@ -99,3 +99,14 @@ test_that("a point or a rod whose size has lost its name is refused", {
     expect_error(scene_axle(body), class = "rotdyn_error_type")
   }
 })
+
+test_that("a print says where an axle passes", {
+  said <- rotdyn:::describe_point
+  disk <- body_disk(2, 0.25)
+  expect_identical(said(disk, c(0, 0, 0)), "through the origin of the own axes")
+  expect_identical(said(disk, c(0.1, 0, -2)), "through (0.1, 0, -2) m")
+  placed <- place_body(disk, c(0, 0.5, 0))
+  expect_identical(said(placed, c(0, 0.5, 0)), "through the centre of mass")
+  expect_identical(said(placed, c(0, 0, 0)), "through the origin of the own axes")
+  expect_identical(said(placed, c(0, 0.25, 0)), "through (0, 0.25, 0) m")
+})

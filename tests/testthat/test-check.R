@@ -86,3 +86,10 @@ test_that("a vector where one number is needed points to the table of bodies", {
   expect_match(conditionMessage(e), "inertia_table")
   expect_match(conditionMessage(expect_error(body_disk(1, c(0.1, 0.2)))), "inertia_table")
 })
+
+test_that("times that go back are told with the first place where they do", {
+  e <- expect_error(
+    rotdyn:::check_times(c(0, 2, 2, 1.5, 3, 1), NULL), class = "rotdyn_error_time"
+  )
+  expect_match(conditionMessage(e), "Element 4 is 1.5 after 2")
+})

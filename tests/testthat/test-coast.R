@@ -495,3 +495,36 @@ test_that("variances between runs by REML: 0 of equal ones, half the squared dif
   expect_identical(between_variances(list(1, 1), spread), 0)
   expect_equal(between_variances(list(1, 2), spread), 0.5 - 1e-4, tolerance = 1e-3)
 })
+
+test_that("alpha of a motion under a weight is the slope of its omega, whatever is unknown", {
+  inertia <- 0.02
+  up <- scene_hanging_mass(inertia, 0.5, 0.03, resistance = resistance(0.0004, 0, 0.01))
+  up <- trajectory(up, seq(0, 4, by = 0.02))
+  samples <- data.frame(time_s = up$time_s, theta_rad = up$theta_rad)
+  for (unknown in c("inertia", "mass", "gravity")) {
+    weight <- switch(unknown,
+      inertia = falling_weight(0.5, 0.03, until_s = 4),
+      mass = falling_weight(NA, 0.03, until_s = 4),
+      gravity = falling_weight(0.5, 0.03, gravity_m_per_s2 = NA, until_s = 4)
+    )
+    moment <- if (unknown == "inertia") NULL else inertia
+    fit <- attr(fit_coast_down(samples, moment, c("coulomb", "viscous"), torque = weight), "fit")
+    p <- rotdyn:::run_parameters(fit, 1)$p
+    p[c("coulomb", "viscous", "load")] <- c(0.4, 0.02, 1.25 * p[["load"]])
+    at <- c(0.5, 1.7, 3.1)
+    h <- 1e-4
+    rows <- function(time, p) rotdyn:::motion_rows(fit, 1, p, time)
+    slope <- (rows(at + h, p)$omega - rows(at - h, p)$omega) / (2 * h)
+    expect_equal(rows(at, p)$alpha, slope, tolerance = 1e-6)
+    for (k in c("coulomb", "viscous", "load")) {
+      d <- 1e-5 * p[[k]]
+      more <- less <- p
+      more[[k]] <- p[[k]] + d
+      less[[k]] <- p[[k]] - d
+      expect_equal(
+        rows(at, p)$d_alpha[, match(k, names(p))], (rows(at, more)$alpha - rows(at, less)$alpha) /
+          (2 * d), tolerance = 1e-4
+      )
+    }
+  }
+})

@@ -281,3 +281,11 @@ test_that("creates_energy is no matter of rounding", {
   energy <- ledger[ledger$balance == "energy", ]
   expect_gt(energy$after - energy$before, 1e-6)
 })
+
+test_that("rows of attitudes must have length 1 to eight digits", {
+  rows <- function(off) rotdyn:::as_attitudes(rbind(c(1, 0, 0, 0), c(0, 1 + off, 0, 0)), "q", NULL)
+  expect_equal(dim(rows(5e-9)), c(2, 9))
+  expect_equal(rows(5e-9)[2, ], c(1, 0, 0, 0, -1, 0, 0, 0, -1), tolerance = 1e-15)
+  expect_error(rows(2e-8), "row 2 is off", class = "rotdyn_error_value")
+  expect_error(rows(-1e-6), "row 2 is off", class = "rotdyn_error_value")
+})

@@ -83,3 +83,9 @@ test_that("torque is never in joule", {
   torque <- torque[grepl("torque", torque$name) & !grepl("impulse", torque$name), ]
   expect_equal(unique(torque$unit), "N m")
 })
+
+test_that("the dictionary begins with the columns of the package, then those of constraints", {
+  table <- column_table()
+  own <- vapply(rotdyn:::column_list, `[[`, "", 1)
+  expect_identical(head(table$name, length(own)), own)
+})

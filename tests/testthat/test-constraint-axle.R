@@ -34,3 +34,17 @@ test_that("a scene knows its torque and what resists, whoever made it", {
   expect_identical(torque(train), torque_constant(2))
   expect_identical(resists(train), 0.75)
 })
+
+test_that("the heat of an axle is the sum of its three parts", {
+  scene <- scene_axle(
+    2, 1, resistance(0.3, 0.05, coulomb_n_m = 0.2), omega0_rad_per_s = 5
+  )
+  x <- generics::augment(trajectory(scene, c(0, 1, 3)))
+  parts <- cbind(x$dissipated_viscous_j, x$dissipated_quadratic_j, x$dissipated_coulomb_j)
+  expect_true(all(parts[3, ] > 0.1))
+  expect_equal(x$dissipated_j, rowSums(parts), tolerance = 1e-14)
+  # The work of the torque less the kinetic energy gained.
+  expect_equal(
+    x$dissipated_j[3], x$work_j[3] - (x$omega_rad_per_s[3]^2 - 25), tolerance = 1e-9
+  )
+})

@@ -41,3 +41,8 @@ test_that("there is no way back before the start", {
   expect_error(motion_of(scene, 0:2), class = "rotdyn_error_time")
   expect_equal(motion_of(scene, 1:2)$omega_1_rad_per_s, c(10, 4), tolerance = 1e-15)
 })
+
+test_that("two motions are as far apart as the body that differs most", {
+  got <- rbind(c(1, -2), c(3, 4))
+  expect_identical(rotdyn:::largest_distance(got, rbind(c(1.5, -2), c(3, 1))), c(0.5, 3))
+})

@@ -157,3 +157,20 @@ test_that("an error of omega far below that of the attitude does not unbalance a
   motion$omega_x_rad_per_s[5] <- motion$omega_x_rad_per_s[5] * (1 + 1e-7)
   expect_identical(audit(motion)$verdict[1], "unbalanced")
 })
+
+test_that("a torque that is a function is called with each row's time, rates and attitude", {
+  rows <- data.frame(
+    time_s = c(0, 2), omega_x_rad_per_s = 1:2, omega_y_rad_per_s = 3:4, omega_z_rad_per_s = 5:6,
+    qw = c(1, 0.5), qx = c(0, 0.5), qy = c(0, -0.5), qz = c(0, 0.5)
+  )
+  seen <- list()
+  law <- function(time_s, omega, attitude) {
+    seen[[length(seen) + 1L]] <<- list(time_s, omega, attitude)
+    c(time_s, omega[2], attitude[3])
+  }
+  got <- rotdyn:::free_torque_at(list(torque = law), rows)
+  expect_equal(got, rbind(c(0, 3, 0), c(2, 4, -0.5)), ignore_attr = TRUE)
+  expect_equal(seen[[2]], list(2, c(2, 4, 6), c(0.5, 0.5, -0.5, 0.5)))
+  once <- rotdyn:::free_torque_at(list(torque = function(time_s) c(time_s, 1, 0)), rows)
+  expect_equal(once, rbind(c(0, 1, 0), c(2, 1, 0)), ignore_attr = TRUE)
+})

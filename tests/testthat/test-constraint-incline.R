@@ -50,3 +50,18 @@ test_that("the time scales of an incline: v/g, m/c", {
   expect_equal(pace(resistance = resistance(drag_n_s_per_m = 40)), 2 / 40)
   expect_equal(pace(resistance = resistance(drag_n_s2_per_m2 = 40)), 2 / (40 * 3))
 })
+
+test_that("rolling resistance slows a body that turns, also where friction is the smaller", {
+  scene <- scene_incline(body_sphere(2, 0.1), 20, static_friction = 0.6, rolling_arm_m = 0.02)
+  resists <- 0.02 * 2 * 9.80665 * cos(20 * pi / 180)
+  turning <- function(friction_n, omega) {
+    sliding <- list(
+      v_m_per_s = 0, omega_rad_per_s = omega, friction_force_n = friction_n, rolling = FALSE,
+      slip_speed_m_per_s = 1
+    )
+    rotdyn:::slopes_incline(sliding, scene)$omega_rad_per_s
+  }
+  expect_equal(turning(-0.5 * resists / 0.1, 3), -0.5 * resists)
+  expect_equal(turning(-0.5 * resists / 0.1, -3), 1.5 * resists)
+  expect_equal(turning(2 * resists / 0.1, 3), -3 * resists)
+})

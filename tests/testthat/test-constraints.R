@@ -325,3 +325,13 @@ test_that("a scene that no constraint has is an error", {
   rm("rot_scene_drop", envir = rotdyn:::registry)
   expect_error(trajectory(scene_drop(1), 0), class = "rotdyn_error_type")
 })
+
+test_that("the package's constraints are listed first, in their order, then those that joined", {
+  listed <- names(rotdyn:::own_constraints())
+  expect_identical(head(names(rotdyn:::all_constraints()), length(listed)), listed)
+  assign("a_toy_of_this_test", list(), envir = rotdyn:::registry)
+  on.exit(rm("a_toy_of_this_test", envir = rotdyn:::registry))
+  all <- names(rotdyn:::all_constraints())
+  expect_identical(head(all, length(listed)), listed)
+  expect_true("a_toy_of_this_test" %in% utils::tail(all, -length(listed)))
+})

@@ -85,3 +85,17 @@ test_that("a change of sign is seen between the smallest numbers", {
   expect_equal(rotdyn:::changes_sign(c(1e-300, -1e-300, 0, 5e-324, -5e-324)),
     c(TRUE, FALSE, FALSE, TRUE))
 })
+
+test_that("times are graded from the start on, both ways, and from each break to the next", {
+  graded <- rotdyn:::graded_times
+  away <- 0.25 * 2^(-1:8)
+  expect_equal(graded(0, 0, 0.25, 0, 100), away)
+  expect_equal(sort(graded(0, 0, 0.25, -100, 0)), sort(-away))
+  both <- graded(0, 0, 0.25, -100, 100)
+  expect_equal(sort(both), sort(c(-away, away)))
+  part <- 0.25 * 2^(-1:7)
+  expect_equal(sort(graded(c(0, 40), 0, 0.25, 0, 100)), sort(c(part, 40 + part)))
+  # From within: the time since the break counts.
+  expect_equal(sort(graded(c(0, 100), 0, 0.25, 10, 90)), away)
+  expect_identical(graded(0, 0, Inf, 0, 100), double())
+})

@@ -320,3 +320,23 @@ test_that("columns are in the dictionary", {
   motion <- roll_on_curve(cos, 1, 2)
   expect_identical(setdiff(c(names(motion), names(summary(motion))), known), character())
 })
+
+test_that("a crest that is reached without speed is seen on the way, and beside the start", {
+  # v^2 = 4 (x - 1)^2: no place is below 0, and beyond the crest the body would go on.
+  hill <- function(x) -(x - 1)^2
+  expect_error(
+    roll_on_curve(hill, 0, 2, body = 0, v0_m_per_s = 2, gravity_m_per_s2 = 2), "crest",
+    class = "rotdyn_error_value"
+  )
+  # v^2 = 4 (x - 1)^2 + 0.41: it passes.
+  passes <- arrival(hill, 0, 2, body = 0, v0_m_per_s = 2.1, gravity_m_per_s2 = 2)
+  expect_equal(passes$event, "arrives")
+  expect_equal(passes$v_m_per_s, 2.1)
+  # v^2 = 4e-16 on the crest, a rounding of the 4 at the end; the start has 8e-16.
+  expect_error(
+    roll_on_curve(
+      function(x) -(x - 1e-8)^2, 0, 1, body = 0, v0_m_per_s = sqrt(8e-16), gravity_m_per_s2 = 2,
+      breaks = 1e-8
+    ), "crest is at 1e-08", class = "rotdyn_error_value"
+  )
+})

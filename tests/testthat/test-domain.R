@@ -87,3 +87,14 @@ test_that("a function of too few arguments is refused at the door", {
   expect_error(body_density(function() 1, box), "takes 0", class = "rotdyn_error_type")
   expect_equal(body_density(function(...) 1 + 0 * ..1, box)$mass_kg, 1)
 })
+
+test_that("a value that a field may not have is told with its place", {
+  places <- list(c(1, 2, 3), c(4, 5, 6), c(7, 8, 9))
+  field <- function(x) rotdyn:::check_field(x, "f", places, NULL)
+  expect_identical(field(c(1L, 0L, 2L)), c(1, 0, 2))
+  expect_error(
+    field(c(1, -2, 3)), "It is -2 at u = 2, v = 5, w = 8", class = "rotdyn_error_density"
+  )
+  expect_error(field(c(1, 2, Inf)), "It is Inf at u = 3", class = "rotdyn_error_density")
+  expect_error(field(c(NaN, -2, 3)), "It is NaN at u = 1", class = "rotdyn_error_density")
+})

@@ -16,3 +16,13 @@ test_that("a chain is drawn from its pivot to its end", {
   film <- animate_motion(motion, tempfile(fileext = ".gif"), frames_per_s = 2, width_px = 100)
   expect_gt(file.size(film), 1000)
 })
+
+test_that("the picture of a chain holds all of it, whichever way it hangs", {
+  for (theta in list(c(0, 0), c(pi / 2, pi / 2), c(-pi / 2, 0), c(pi, 3))) {
+    chain <- scene_chain(c(1, 3), 1, theta, links = "points")
+    limits <- draw_chain(chain)$limits
+    places <- chain_places(chain, theta)
+    expect_true(all(limits[1] <= places[, 1] - 0.1 & places[, 1] + 0.1 <= limits[2]))
+    expect_true(all(limits[3] <= places[, 2] - 0.1 & places[, 2] + 0.1 <= limits[4]))
+  }
+})

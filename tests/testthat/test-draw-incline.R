@@ -18,3 +18,17 @@ test_that("an incline is drawn at its angle, with its quantities", {
   skip_if_not_installed("ggplot2")
   expect_s3_class(ggplot2::autoplot(scene), "ggplot")
 })
+
+test_that("marks on the ground hang below it, each fifth one longer", {
+  scene <- scene_incline(body_sphere(6, 0.11), 30, static_friction = 0.9)
+  motion <- trajectory(scene, c(0, 0.5, 1))
+  frame <- incline_frames(scene, motion)[[2]]
+  lines <- Filter(function(one) one$type == "line" && one$style == "body", frame$marks)
+  out <- c(0.5, sqrt(3) / 2)
+  depth <- vapply(utils::head(lines, -1), function(one) {
+    drop((one$points[2, ] - one$points[1, ]) %*% out)
+  }, 0)
+  expect_gt(length(depth), 5)
+  expect_true(all(depth < 0))
+  expect_equal(sort(unique(round(-depth, 9))), c(0.04, 0.08))
+})

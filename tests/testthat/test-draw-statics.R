@@ -106,3 +106,13 @@ test_that("components of a force that are rounding are shown as zero, smaller on
   expect_identical(text(c(3, 4, 1e-10), 5, FALSE), "(3, 4, 1e-10) N")
   expect_identical(text(c(0, -5), 5, TRUE), "5 N down")
 })
+
+test_that("the arrow of a pin ends at its point where it pushes, and leaves it where it pulls", {
+  rest <- function(support) list(structure = list(supports = list(support)))
+  pin <- support_pin(c(1, 0))
+  expect_true(rotdyn:::pushes(rest(pin), 1, c(-1, 0, 0), c(1, 0, 0), c(0, 0, 0)))
+  expect_true(rotdyn:::pushes(rest(pin), 1, c(0, 1, 0), c(1, 0, 0), c(0, 0, 0)))
+  expect_false(rotdyn:::pushes(rest(pin), 1, c(1, 0, 0), c(1, 0, 0), c(0, 0, 0)))
+  surface <- support_surface(c(1, 0))
+  expect_true(rotdyn:::pushes(rest(surface), 1, c(1, 0, 0), c(1, 0, 0), c(0, 0, 0)))
+})

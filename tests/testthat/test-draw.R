@@ -86,3 +86,17 @@ test_that("a spring runs from its end to its end, straight there and to both sid
   expect_equal(spring[c(1, 2, nrow(spring) - 1:0), 2], rep(5, 4))
   expect_equal(range(spring[, 2]), c(4.8, 5.2))
 })
+
+test_that("a scene with one moment of inertia and no drawing is a body, with several a line", {
+  one <- structure(
+    list(moment_of_inertia_kg_m2 = 2, height_m = 3), class = c("rot_scene_none", "rot_scene")
+  )
+  drawing <- rotdyn:::default_drawing(one)
+  expect_identical(drawing$note, "not to scale")
+  expect_length(drawing$marks, 1)
+  one$moment_of_inertia_kg_m2 <- c(2, 2)
+  expect_gt(length(rotdyn:::default_drawing(one)$marks), 1)
+  # Words in its place are not drawn.
+  one$moment_of_inertia_kg_m2 <- c("a", "b")
+  expect_length(rotdyn:::default_drawing(one)$marks, 1)
+})

@@ -147,3 +147,15 @@ test_that("segments that overlap in time need a number", {
 test_that("the loss of a collision is said to be a column of it", {
   expect_error(energy_loss(disks_lock(1, 3, 60, 0)), "friction_loss_j", class = "rotdyn_error_type")
 })
+
+test_that("glance tells the smoothness that was fitted", {
+  time <- seq(0, 4, by = 0.02)
+  set.seed(4)
+  estimate <- estimate_motion(data.frame(
+    time_s = time, theta_rad = 2 * sin(2 * time) + stats::rnorm(201, sd = 0.01)
+  ))
+  fit <- attr(estimate, "estimate")
+  one <- generics::glance(estimate)
+  expect_equal(one$order, fit$fit[1])
+  expect_equal(10^one$log10_smoothness, fit$fit[2])
+})

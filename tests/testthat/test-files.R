@@ -128,3 +128,18 @@ test_that("text of a file: compressed, with a mark, with a zero byte", {
   writeBin(c(charToRaw("{1"), as.raw(0), charToRaw("5}")), file)
   expect_identical(file_text(file), NA_character_)
 })
+
+test_that("a descriptor is written by its number: standard output of another process", {
+  skip_on_os("windows")
+  library <- dirname(find.package("rotdyn"))
+  code <- sprintf(
+    paste0(
+      "loadNamespace('rotdyn', '%s'); ",
+      "invisible(.Call(rotdyn:::ffi_file_write, 1L, c('one', 'two')))"
+    ), library
+  )
+  said <- system2(
+    file.path(R.home("bin"), "Rscript"), c("--vanilla", "-e", shQuote(code)), stdout = TRUE
+  )
+  expect_identical(utils::tail(said, 2), c("one", "two"))
+})

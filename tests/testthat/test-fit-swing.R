@@ -344,3 +344,15 @@ test_that("large swings are fitted from any part of a swing", {
     }
   }
 })
+
+test_that("a print tells the root of the mean square of the amplitudes that were used", {
+  set.seed(1)
+  time <- seq(0, 12, by = 0.04)
+  y <- 0.5 * exp(-0.04 * time) * cos(5 * time) + stats::rnorm(length(time), sd = 0.002)
+  fit <- fit_swing(data.frame(time_s = time, theta_rad = y), "spring")
+  fit$swings$amplitude_rad[] <- 0.25
+  fit$swings$amplitude_rad[which(fit$swings$used)[1]] <- 0.75
+  used <- sum(fit$swings$used)
+  size <- sqrt((0.75^2 + (used - 1) * 0.25^2) / used)
+  expect_output(print(fit), format_si(size, 3), fixed = TRUE)
+})

@@ -179,3 +179,14 @@ test_that("damaged bodies, laws and fits are refused, or have no outline", {
   skip_if_not_installed("ggplot2")
   expect_error(ggplot2::autoplot(law), "torque law", class = "rotdyn_error_type")
 })
+
+test_that("a number that is none is refused in each part that is a number", {
+  damped <- resistance(0.1, 0.2, 0.3, 0.4)
+  for (part in names(damped)) {
+    for (wrong in list(NaN, NA_real_, Inf, c(1, 2), double())) {
+      forged <- damped
+      forged[[part]] <- wrong
+      expect_error(print(forged), part, class = "rotdyn_error_type")
+    }
+  }
+})

@@ -125,3 +125,15 @@ test_that("the ellipse of a swing from rest depends on how far it starts, not on
     swing(0, 5)$ellipse_rate_rad_per_s, swing(5, 0)$ellipse_rate_rad_per_s, tolerance = 1e-14
   )
 })
+
+test_that("the ellipse of a swing turns by its area, seen from where its plane stands still", {
+  # On the pole, rate -0.01 rad/s: 1 m by 0.02 m/s, and the frame's own turn, 0.01 x 1 m^2.
+  rate <- function(spin) {
+    foucault_pendulum(
+      1, 90, 10, east_m = 1, north_m_per_s = 0.02, rotation_rad_per_s = spin
+    )$ellipse_rate_rad_per_s
+  }
+  expect_equal(rate(0.01) * 1e4, 3 / 8 * 0.03 / 100 * 1e4)
+  expect_equal(rate(0) * 1e4, 3 / 8 * 0.02 / 100 * 1e4)
+  expect_equal(rate(-0.02) * 1e4, 0)
+})

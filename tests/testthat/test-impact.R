@@ -160,3 +160,11 @@ test_that("a point mass on a hinge is a ballistic pendulum", {
     hinged_hit(body_point(1), c(1, 0), 1, 0.01, 300), "row 2", class = "rotdyn_error_value"
   )
 })
+
+test_that("rims meet between their axles: what the axles take balances the moment of momentum", {
+  for (radius_2 in c(0.2, -0.5)) { # outside, and within a ring
+    hit <- rims_meet(0.02, 0.05, 0.3, radius_2, 30, 10, restitution = 0.4)
+    ledger <- collision_ledger(hit)
+    expect_true(all(ledger$verdict == "balanced"))
+  }
+})

@@ -83,3 +83,16 @@ test_that("uncertainties beyond the digits of a double are shown as they are", {
   expect_identical(format(measured(1e308, 1e-300)), "1e+308 +- 1e-300")
   expect_identical(format(measured(0.1, 1e300)), "0.1 +- 1e+300")
 })
+
+test_that("a damaged object of the errors package is refused for what it is", {
+  wrong <- list(
+    structure(2, errors = "much", class = "errors"), structure(2, class = "errors"),
+    structure(c(1, 2), errors = c(0.1, 0.1), class = "errors"),
+    structure("2", errors = 0.1, class = "errors")
+  )
+  for (x in wrong) {
+    expect_error(
+      rotdyn:::from_errors(x, "x", NULL), "must be one number", class = "rotdyn_error_size"
+    )
+  }
+})

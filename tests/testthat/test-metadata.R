@@ -117,3 +117,9 @@ test_that("rows that break a key or a check are refused", {
   expect_error(check_metadata(3), class = "rotdyn_error_type")
   expect_error(check_metadata(list(wishes = 1)), "no such table", class = "rotdyn_error_metadata")
 })
+
+test_that("what is no named list of tables is refused for that", {
+  for (x in list(1, c(a = 1), list(1), data.frame(a = 1), metadata()[[1]], NULL, "a")) {
+    expect_error(check_metadata(x), "named list of tables", class = "rotdyn_error_type")
+  }
+})

@@ -648,3 +648,16 @@ test_that("a jump in the angle on an elastic drive: the two modes in closed form
     expect_true(all(audit(motion)$verdict == "balanced"))
   }
 })
+
+test_that("work and heat of augment() count from the first row, whenever that is", {
+  scene <- scene_drive(
+    c(1, 0.4), coupling_gear(2), torque = list(3, NULL), resistance = list(resistance(0.5), NULL)
+  )
+  late <- generics::augment(trajectory(scene, c(1, 2, 3)))
+  work <- late$work_j[late$rotor == 1]
+  all <- generics::augment(trajectory(scene, c(0, 1, 2, 3)))
+  whole <- all$work_j[all$rotor == 1]
+  expect_identical(work[1], 0)
+  expect_equal(work, whole[-1] - whole[2])
+  expect_gt(work[3], 1)
+})

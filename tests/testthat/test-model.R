@@ -93,3 +93,12 @@ test_that("seconds are shown in the unit that suits them", {
     c("1.2 s", "57 ms", "2.5 us", "820 ns", "0 ns")
   )
 })
+
+test_that("a choice prints as a table once columns or rows are gone", {
+  choice <- choose_model(scene_axle(1, 0.3), 0:3)
+  expect_output(print(choice), "<rot_model_choice> axle_")
+  for (part in list(choice[c("model", "chosen")], choice[!choice$chosen, ], choice[0, ])) {
+    said <- utils::capture.output(print(part))
+    expect_false(any(grepl("<rot_model_choice>", said)))
+  }
+})

@@ -105,3 +105,13 @@ test_that("messages say what another function is for, and what is missing", {
     expect_false(any(grepl(one[[2]], names(formals(get(one[[1]]))))), info = one[[1]])
   }
 })
+
+test_that("a synonym is as near from either side", {
+  near <- rotdyn:::word_likeness
+  for (pair in list(c("angle", "theta"), c("friction", "coulomb"), c("weight", "mass"))) {
+    expect_identical(near(pair[1], pair[2]), 0.8)
+    expect_identical(near(pair[2], pair[1]), 0.8)
+  }
+  expect_identical(near("torque", "torques"), 0.95)
+  expect_identical(near("angle", "mass"), 0)
+})

@@ -35,35 +35,46 @@ test_that("after a period the motion is the same", {
   expect_equal(after$omega_rad_per_s, 1.5, tolerance = 1e-14)
 })
 
-test_that("a top, rotors and a chain have periods", {
-  # m g l/(I3 omega) of a fast top, its axis level.
-  level <- attitude_from(c(1, 0, 0, pi / 2), "axis_angle")
-  top <- scene_pivot(
-    body_disk(0.4, 0.06), c(0, 0, 2500), pivot_m = c(0, 0, -0.04), attitude0 = level
+test_that("every constraint that swings has its periods", {
+  of <- function(scene) suppressWarnings(period_of(scene))
+  # Two rotors: omega^2 = k (1/J1 + 1/J2).
+  pair <- of(scene_rotors(c(1, 3), 48))
+  expect_identical(pair$kind, "mode")
+  expect_equal(pair$period_s, 2 * pi / 8)
+  # The same behind a gear: J2/4 and k/4 to the first shaft.
+  geared <- scene_drive(c(0.5, 2, 12), list(coupling_gear(2), coupling_shaft(192)))
+  expect_equal(of(geared)$period_s, 2 * pi / 8)
+  # A double pendulum of equal point masses: omega^2 = (2 -+ sqrt(2)) g/l.
+  expect_equal(
+    of(scene_chain(c(1, 1), 1, 0.1, links = "points"))$period_s,
+    2 * pi / sqrt((2 + c(-1, 1) * sqrt(2)) * 9.80665), tolerance = 1e-12
   )
-  turn <- 2 * pi * (0.5 * 0.4 * 0.06^2 * 2500) / (0.4 * 9.80665 * 0.04)
-  periods <- period_of(top)
-  expect_identical(periods$kind, c("precession", "nutation"))
-  expect_equal(periods$period_s[1], turn, tolerance = 1e-3)
-  expect_equal(periods$period_s[2], 2 * pi * 0.001 / (0.00072 * 2500), tolerance = 1e-3)
-  # A vertical one: a small precession, by the smaller root of I1 W^2 - I3 w W + m g l = 0.
-  upright <- scene_pivot(body_disk(0.4, 0.06), c(0, 0, 250), pivot_m = c(0, 0, -0.04))
-  b <- 0.00072 * 250
-  root <- (b - sqrt(b^2 - 4 * 0.001 * 0.4 * 9.80665 * 0.04)) / (2 * 0.001)
-  expect_equal(period_of(upright)$period_s[1], 2 * pi / root, tolerance = 1e-9)
-  expect_error(
-    period_of(scene_pivot(c(1, 2, 3), c(0, 0, 6), mass_kg = 1, centre_m = c(0, 0, 0.1))),
-    class = "rotdyn_error_model"
-  )
-  expect_error(
-    period_of(update(top, resistance = resistance(damping_per_s = 0.1))),
-    class = "rotdyn_error_model"
-  )
-  # Two equal rotors: omega^2 = 2 k/I.
-  expect_equal(period_of(scene_rotors(c(2, 2), 9))$period_s, 2 * pi / 3)
-  # Two equal pendulums, one below the other: omega^2 = (2 -+ sqrt(2)) g/l.
-  chain <- period_of(scene_chain(c(1, 1), 1, 0.1, links = "points"))
-  expect_equal(chain$period_s, 2 * pi / sqrt((2 + c(-1, 1) * sqrt(2)) * 9.80665))
-  expect_identical(chain$kind, c("mode", "mode"))
-  expect_error(period_of(scene_hoop(1, 1, 2)), class = "rotdyn_error_type")
+  # A bead beside the axis: omega^2 = W^2 - (g/R)^2/W^2, on both sides.
+  bead <- of(scene_hoop(1, 1, 5))
+  expect_identical(bead$kind, rep("small swing", 2))
+  expect_equal(bead$period_s, rep(2 * pi / sqrt(25 - 9.80665^2 / 25), 2), tolerance = 1e-12)
+  # A symmetric body wobbles with (I3 - I1)/I1 omega3; a steady spin turns.
+  wobble <- of(scene_free(c(2, 2, 3), c(0.1, 0, 4)))
+  expect_identical(wobble$kind, "wobble")
+  expect_equal(wobble$period_s, 2 * pi / (0.5 * 4), tolerance = 1e-12)
+  expect_equal(of(scene_free(c(1, 2, 2.5), c(0, 0, 4)))$period_s, pi / 2)
+  expect_identical(of(scene_free(c(1, 2, 2.5), c(0, 4, 0)))$kind, "rotation")
+  # The flips of a tumbling body, twice.
+  nut <- scene_free(c(1, 2, 2.5), c(0.01, 4, 0.01))
+  expect_identical(of(nut)$period_s, 2 * flip_time(nut))
+  # A fast top: precession m g l/(I3 omega), nutation I3 omega/I1 to the first order.
+  top <- of(scene_pivot(
+    body_disk(2, 0.25), c(0, 0, 600), pivot_m = c(0, 0, -0.1),
+    attitude0 = attitude_from(c(1, 0, 0, 0.3), "axis_angle")
+  ))
+  expect_identical(top$kind, c("precession", "nutation"))
+  expect_equal(top$period_s[1], 2 * pi * 0.0625 * 600 / (2 * 9.80665 * 0.1), tolerance = 1e-3)
+  expect_equal(top$period_s[2], 2 * pi * 0.05125 / (0.0625 * 600), tolerance = 1e-3)
+  expect_gt(top$amplitude_rad[2], 0)
+  refused <- function(scene) expect_error(period_of(scene), class = "rotdyn_error_model")
+  refused(scene_incline(body_disk(1, 0.1), 20))
+  refused(scene_clutch(1, 2, 3, omega0_rad_per_s = c(1, 0)))
+  refused(scene_drive(c(1, 2), coupling_clutch(2)))
+  refused(scene_drive(c(1, 2), coupling_gear(2)))
+  refused(scene_free(c(1, 2, 2.5), c(0, 1, 2), torque = c(1, 0, 0)))
 })

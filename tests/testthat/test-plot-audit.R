@@ -34,3 +34,23 @@ test_that("it draws without a warning in letters of any size; without values it 
   expect_error(ggplot2::autoplot(audit(spin_up()[0, ])), class = "rotdyn_error_value")
   expect_error(ggplot2::autoplot(a["balance"]), class = "rotdyn_error_type")
 })
+
+test_that("labels of many rows are made smaller until all fit the height of the picture", {
+  size <- function(n, base = 13) {
+    scene <- scene_rotors(rep(1, n), 8, torque = c(3, rep(0.5, n - 1)))
+    a <- audit(trajectory(scene, c(0, 1)))
+    plot <- ggplot2::autoplot(a, base_size = base)
+    small <- plot$theme$axis.text.y$size
+    drawn <- plot$data
+    panels <- length(unique(drawn$panel))
+    lines <- max(nchar(gsub("[^\n]", "", drawn$label))) + 1.3
+    high <- 1.05 * small * max(table(drawn$panel)) * panels * lines
+    # What titles and the strips of the panels leave of five inches.
+    c(small = small, left = 360 - 4 * base - 2.3 * base * panels - high)
+  }
+  for (base in c(13, 18, 24)) {
+    got <- size(2, base)
+    expect_lte(got[["small"]], 0.66 * base)
+    expect_true(got[["left"]] >= 0 || got[["small"]] <= 6)
+  }
+})

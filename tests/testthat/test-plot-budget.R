@@ -51,3 +51,15 @@ test_that("nothing uncertain, and damaged budgets", {
   expect_error(ggplot2::autoplot(budget), class = "rotdyn_error_type")
   expect_error(print(budget), class = "rotdyn_error_type")
 })
+
+test_that("negative shares have a colour of their own", {
+  budget <- uncertainty_budget(
+    function(a, b) a + b, a = measured(1, 0.1), b = measured(2, 0.05),
+    correlation = matrix(c(1, -0.9, -0.9, 1), 2), draws = 0
+  )
+  bars <- ggplot2::ggplot_build(ggplot2::autoplot(budget))$data[[1]]
+  below <- bars$x < 0 | bars$xmin < 0
+  expect_true(any(below) && !all(below))
+  expect_identical(unique(bars$fill[!below]), rotdyn:::plot_colours[1])
+  expect_identical(unique(bars$fill[below]), rotdyn:::plot_colours[2])
+})

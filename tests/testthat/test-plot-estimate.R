@@ -48,3 +48,19 @@ test_that("units and a torque are drawn where asked for", {
   expect_match(levels[3], "net torque")
   expect_error(ggplot2::autoplot(struck_motion(), unit = "rpm"), class = "rotdyn_error_argument")
 })
+
+test_that("no band is drawn where a row may lie on either side of a break", {
+  time <- seq(0, 4, by = 0.02)
+  set.seed(3)
+  record <- data.frame(
+    time_s = time, theta_rad = 2 * time + 3 * pmax(time - 2, 0)^2 + stats::rnorm(201, sd = 0.002)
+  )
+  estimate <- estimate_motion(record)
+  fit <- attr(estimate, "estimate")
+  rows <- ggplot2::autoplot(estimate)$data
+  none <- !is.na(rows$low) & rows$low == rows$high
+  expect_equal(fit$breaks$time_s, 2, tolerance = 0.02)
+  near <- abs(rows$time - fit$breaks$time_s) < 2 * fit$break_se_s
+  expect_true(any(near))
+  expect_identical(none, near & !is.na(rows$low))
+})

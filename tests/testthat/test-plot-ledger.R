@@ -25,3 +25,12 @@ test_that("the energy bars have the heights of the energies", {
   )
   expect_error(ggplot2::autoplot(ledger[1]), class = "rotdyn_error_type")
 })
+
+test_that("each loss has its colour, at rest and by friction", {
+  skip_if_not_installed("ggplot2")
+  hit <- ball_bounce(body_sphere(0.06, 0.033), 20, -5, -300, 0.75, 0.5)
+  bars <- ggplot2::ggplot_build(ggplot2::autoplot(collision_ledger(hit)))$data[[1]]
+  expect_false(anyNA(bars$fill))
+  expect_length(unique(bars$fill[bars$ymax > bars$ymin]), 4)
+  expect_true(all(rotdyn:::plot_colours[c(2, 5)] %in% bars$fill))
+})

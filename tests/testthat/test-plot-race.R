@@ -22,3 +22,11 @@ test_that("what is no race, and unknown times", {
   expect_error(ggplot2::autoplot(bare), class = "rotdyn_error_type")
   expect_error(summary(bare), class = "rotdyn_error_type")
 })
+
+test_that("of many bodies the first are drawn, and the subtitle says so", {
+  few <- ggplot2::autoplot(roll_race(c("hoop", "sphere")))$labels$subtitle
+  expect_no_match(few, "the first")
+  many <- data.frame(name = paste("body", 1:40), beta = seq(0.1, 1, length.out = 40))
+  subtitle <- ggplot2::autoplot(roll_race(many))$labels$subtitle
+  expect_match(gsub("\n", " ", subtitle), "the first [0-9]+ of 40")
+})

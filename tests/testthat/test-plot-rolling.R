@@ -14,3 +14,14 @@ test_that("a rolling table draws without a warning, with its speeds", {
   expect_equal(built[[1]]$xmax[built[[1]]$y == 1][1] - built[[1]]$xmin[built[[1]]$y == 1][1], 0.5)
   expect_match(plot$labels$alt, "hoop, 3.13 m/s")
 })
+
+test_that("the shares stand under their names", {
+  race <- rolling_table()
+  rows <- ggplot2::autoplot(race)$data
+  n <- nrow(race)
+  expect_equal(rows$share[rows$motion == "translation"], race$translational_energy_fraction)
+  expect_equal(rows$share[rows$motion == "rotation"], race$rotational_energy_fraction)
+  # beta/(1 + beta) of the energy turns, 1/(1 + beta) moves on.
+  expect_equal(rows$share[rows$motion == "translation"], 1 / (1 + race$beta))
+  expect_equal(nrow(rows), 2 * n)
+})

@@ -38,3 +38,28 @@ test_that("the polhode lies on the ellipsoid, between the branches of the separa
     ggplot2::autoplot(polhode(scene_free(c(0, 1, 1), c(0, 1, 1)))), class = "rotdyn_error_value"
   )
 })
+
+test_that("the separatrix has the energy and the momentum of a turn about the middle axis", {
+  skip_if_not_installed("ggplot2")
+  seen <- NULL
+  # What would be drawn, in three dimensions.
+  space <- asNamespace("rotdyn")
+  drawing <- space$surface_plot
+  put <- function(f) {
+    unlockBinding("surface_plot", space)
+    assign("surface_plot", f, envir = space)
+  }
+  on.exit(put(drawing))
+  put(function(shape, grid, paths, ..., dashed = NULL) seen <<- dashed)
+  moments <- c(1, 2, 2.5)
+  omega <- c(0.3, 4, 0.3)
+  ggplot2::autoplot(polhode(scene_free(moments, omega)))
+  energy <- sum(moments * omega^2)
+  size <- sqrt(energy / min(moments))
+  expect_length(seen, 2)
+  for (curve in seen) {
+    at <- curve * size
+    expect_equal(as.vector(at^2 %*% moments), rep(energy, nrow(at)))
+    expect_equal(as.vector(at^2 %*% moments^2), rep(energy * 2, nrow(at)))
+  }
+})

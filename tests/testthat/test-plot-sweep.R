@@ -35,3 +35,13 @@ test_that("names are across where no number varies, rows where nothing does", {
   expect_equal(plot$labels$x, "row")
   expect_silent(ggplot2::ggplotGrob(plot))
 })
+
+test_that("inclines show the heat of slipping where there is some", {
+  rows <- data.frame(
+    mass_kg = 2, radius_m = 0.1, beta = 0.4, incline_angle_deg = c(10, 40), static_friction = 0.2
+  )
+  panels <- function(rows) levels(ggplot2::autoplot(incline_table(rows, time_s = 2))$data$panel)
+  expect_true(any(grepl("heat", panels(rows))))
+  rows$static_friction <- 5
+  expect_false(any(grepl("heat", panels(rows))))
+})

@@ -34,3 +34,24 @@ test_that("two panels without a fitted motion; errors are ours", {
   fit$swings <- NULL
   expect_error(ggplot2::autoplot(fit), class = "rotdyn_error_type")
 })
+
+test_that("swings of about the period are drawn, used or not; others only where used", {
+  fit <- noisy_swing()
+  drawn <- function(swings) {
+    fit$swings <- swings
+    built <- ggplot2::ggplot_build(ggplot2::autoplot(fit))
+    sum(vapply(built$data, function(layer) {
+      if (is.null(layer$shape)) 0L else sum(layer$PANEL == 3)
+    }, 0L))
+  }
+  all <- fit$swings[is.finite(fit$swings$amplitude_rad) & is.finite(fit$swings$period0_s), ]
+  all$used <- TRUE
+  n <- nrow(all)
+  expect_equal(drawn(all), n)
+  all$used[2:3] <- FALSE
+  expect_equal(drawn(all), n)
+  all$period0_s[2] <- 1.5 * all$period0_s[2]
+  expect_equal(drawn(all), n - 1)
+  all$used[2] <- TRUE
+  expect_equal(drawn(all), n)
+})

@@ -65,3 +65,14 @@ test_that("ranges are checked, functions that fail too; laws draw without a warn
     }
   }
 })
+
+test_that("the knots of a law are marked where they are in the picture", {
+  law <- torque_knots(c(0, 1, 4, 6), c(0, 0.8, 0.3, 0))
+  marks <- function(...) {
+    plot <- ggplot2::autoplot(law, ...)
+    is_point <- vapply(plot$layers, function(layer) inherits(layer$geom, "GeomPoint"), NA)
+    do.call(rbind, lapply(plot$layers[is_point], function(layer) layer$data))
+  }
+  expect_equal(sort(unique(marks()$at)), c(0, 1, 4, 6))
+  expect_equal(sort(unique(marks(time_s = c(0.5, 5))$at)), c(1, 4))
+})

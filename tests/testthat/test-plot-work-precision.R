@@ -48,3 +48,15 @@ test_that("labels of costs and accuracies", {
   expect_equal(ends[2] / ends[1], 10)
   expect_equal(prod(ends), 25)
 })
+
+test_that("the grey band ends at three times the error of the reference", {
+  skip_if_not_installed("ggplot2")
+  measured <- work_precision(
+    article_scene(), 0:8, "axle_rk8pd", accuracies = 10^-c(3, 6, 9), least_batch_s = 1e-4,
+    batches = 1
+  )
+  measured$reference_error <- measured$true_error[2] / 3
+  band <- ggplot2::ggplot_build(ggplot2::autoplot(measured))$data[[1]]
+  expect_equal(band$ymax, log10(measured$true_error[2]), tolerance = 1e-12)
+  expect_lt(band$ymin, log10(min(measured$true_error)))
+})

@@ -75,8 +75,8 @@ test_that("no name is abbreviated, no line is too long, and the answer comes fir
         # Every column is there, whole: shown, or named below.
         text <- gsub("\\s+", " ", gsub("\n# +", " ", paste(lines, collapse = "\n")))
         for (column in names(x)) {
-          whole <- paste0("(^|[ ,])", column, "([ ,]|$)")
-          expect_true(grepl(whole, text), info = paste(info, column))
+          whole <- grepl(paste0("(^|[ ,])", column, "([ ,]|$)"), text)
+          expect_true(whole, info = paste(info, column))
         }
       }
       rest <- lines[!startsWith(lines, "#")]

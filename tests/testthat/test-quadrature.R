@@ -47,3 +47,12 @@ test_that("an integrand that is no number in one panel leaves the others alone",
   expect_equal(parts$value[2, ], c(1.5, 1.5), tolerance = 1e-15)
   expect_equal(parts$value[1, 2], 0.5, tolerance = 1e-15)
 })
+
+test_that("many integrals that are halved a few times are within the budget", {
+  # An integral each, with a corner that a panel does not meet.
+  n <- 30000
+  from <- seq_len(n) - 1
+  out <- rotdyn:::integrate_panels(function(t) cbind(abs(t - floor(t) - 0.5)), from, from + 1)
+  expect_false(isTRUE(out$spent))
+  expect_equal(range(out$value), c(0.25, 0.25), tolerance = 1e-12)
+})

@@ -104,3 +104,21 @@ test_that("a motion that cancels takes the long road", {
   drag <- scene_axle(1, -1, resistance(0.3, 0.2), omega0_rad_per_s = 1e-3)
   expect_identical(trajectory(drag, c(1, 5)), trajectory(drag, c(1, 5), accuracy = 1e-9))
 })
+
+test_that("a closed form that errs by more than 1e-13 takes the long road", {
+  # Forced, with little damping, late: 4e-13, which the accuracy allows.
+  scene <- scene_axle(1, torque_sinusoid(1, 3), resistance(0.01))
+  error <- attr(trajectory(scene, 1e4), "run")$info$error
+  expect_true(error > 1e-13 && error < 1e-11)
+  expect_null(quick_trajectory(scene, 1e4))
+})
+
+test_that("whole numbers are taken as the numbers they are", {
+  ball <- body_sphere(1, 0.1)
+  for (angle in c(1L, 7L, 20L, 33L, 60L)) {
+    for (speed in c(-3L, 2L, 11L)) {
+      whole <- scene_incline(ball, angle, v0_m_per_s = speed)
+      expect_identical(whole, scene_incline(ball, as.double(angle), v0_m_per_s = as.double(speed)))
+    }
+  }
+})

@@ -167,3 +167,19 @@ test_that("a unit of length is a unit and nothing besides", {
   small <- body_mesh(pair, density_kg_m3 = 6e18, length_unit = "micrometer")
   expect_equal(small$mass_kg, 1, tolerance = 1e-14)
 })
+
+test_that("C takes a mesh as a matrix of doubles and one of integers alone", {
+  vertices <- matrix(c(0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1), 4)
+  faces <- matrix(c(1L, 1L, 1L, 2L, 3L, 2L, 4L, 3L, 2L, 4L, 3L, 4L), 4)
+  check <- function(vertices, faces) {
+    .Call(rotdyn:::ffi_mesh_check, vertices, faces, FALSE, -1, NULL)
+  }
+  expect_no_error(check(vertices, faces))
+  whole <- vertices
+  storage.mode(whole) <- "integer"
+  expect_error(check(whole, faces), "internal: a mesh is")
+  expect_error(check(as.double(vertices), faces), "internal: a mesh is")
+  expect_error(check(vertices, faces + 0), "internal: a mesh is")
+  expect_error(check(vertices, as.integer(faces)), "internal: a mesh is")
+  expect_error(check(vertices[, 1:2], faces), "internal: a mesh has three")
+})

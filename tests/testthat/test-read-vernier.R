@@ -56,3 +56,38 @@ test_that("projects: .cmbl is XML, .gambl a tar archive with it", {
   expect_equal(nrow(read_vernier(file.path(folder, "x.gambl"), run = "Latest")), 20)
   expect_error(read_vernier(file.path(folder, "x.gambl"), run = "x"), class = "rotdyn_error_value")
 })
+
+test_that("fields of a tar archive may fill their places, without a byte 0 behind", {
+  name <- strrep("abcde", 20)
+  header <- raw(512)
+  header[1:100] <- charToRaw(name)
+  header[124 + 1:12] <- charToRaw("000000000013")
+  data <- charToRaw("hello, disk")
+  bytes <- c(header, data, raw(512 - 11), raw(1024))
+  expect_identical(rotdyn:::tar_files(bytes, "x.tar", NULL), stats::setNames(list(data), name))
+  # A file of no bytes, and one with the usual ends.
+  header[124 + 1:12] <- charToRaw("000000000000")
+  other <- raw(512)
+  other[1:3] <- charToRaw("a.b")
+  other[124 + 1:11] <- charToRaw("00000000013")
+  bytes <- c(header, other, data, raw(512 - 11), raw(1024))
+  expect_identical(
+    rotdyn:::tar_files(bytes, "x.tar", NULL), stats::setNames(list(raw(), data), c(name, "a.b"))
+  )
+  expect_error(
+    rotdyn:::tar_files(bytes[1:1030], "x.tar", NULL), "damaged", class = "rotdyn_error_file"
+  )
+})
+
+test_that("a tenth of the cells of a run may be no number, not more", {
+  skip_if_not_installed("xml2")
+  read_with <- function(bad) {
+    runs <- list(Latest = samples(40))
+    runs[[1]]$a[3 * seq_len(bad)] <- NA
+    lines <- gsub("\nNA\n", "\nfive\n", vernier_xml(runs), fixed = TRUE)
+    lines[lines == "NA"] <- "five"
+    read_motion(text_file(lines, ext = ".cmbl"))
+  }
+  expect_equal(sum(is.finite(read_with(4)$theta_rad)), 36)
+  expect_error(read_with(5), "no number", class = "rotdyn_error_file")
+})

@@ -692,3 +692,41 @@ test_that("texts are compared row by row", {
   expect_identical(again$not_compared, "event")
   expect_identical(again$verdict, "within errors")
 })
+
+test_that("a value that is missing in the record does not hide how far others are off", {
+  scene <- scene_axle(1, 0.3)
+  motion <- trajectory(scene, c(0, 1, 2))
+  run <- rotdyn:::trajectory_run(motion)
+  old <- list(
+    errors = data.frame(measure = character(), error = double()), error = 0,
+    values = data.frame(
+      quantity = "omega_rad_per_s", row = 1:3, value = c(-Inf, 0.3, 0.6 + 1e-9)
+    )
+  )
+  where <- rotdyn:::compare_values(old, motion, run)
+  expect_identical(where$difference, Inf)
+  expect_lt(where$allowed, 1e-14)
+  old$values$value <- c(0, 0.3, 0.6 + 1e-9)
+  where <- rotdyn:::compare_values(old, motion, run)
+  expect_equal(where$difference, 1e-9, tolerance = 1e-6)
+  expect_lt(where$allowed, 1e-14)
+})
+
+test_that("energies may differ by four times what the state may, and by four roundings", {
+  motion <- trajectory(scene_axle(1, 0.3), c(0, 1, 2))
+  run <- rotdyn:::trajectory_run(motion)
+  run$info$error <- 1e-9
+  old <- list(
+    errors = data.frame(measure = character(), error = double()), error = 0,
+    values = data.frame(
+      quantity = "rotational_kinetic_energy_j", row = 3,
+      value = motion$rotational_kinetic_energy_j[3]
+    )
+  )
+  size <- 0.5 * 0.6^2
+  eps <- .Machine$double.eps
+  allowed <- function() rotdyn:::compare_values(old, motion, run)$allowed
+  expect_within(allowed(), 4e-9 * size + 4 * eps * size, 1e-12)
+  run$info$error <- 0
+  expect_within(allowed(), 4 * eps * size, 1e-12)
+})

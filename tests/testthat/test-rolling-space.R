@@ -95,3 +95,19 @@ test_that("the error of a disk's place covers what rounding does to its heading"
     expect_lt(said, 1e-15 * 6 * end * 20 * end)
   }
 })
+
+test_that("the time at which a disk lies flat is told, where it does, and only there", {
+  # From rest it turns about the tangent: lean'' = 4 g/(5 r) sin(lean).
+  start <- 17 * pi / 180
+  rate <- 4 * g / (5 * 0.5)
+  # lean = start + s^2 takes the root out of the start.
+  flat <- stats::integrate(function(s) {
+    2 * s / sqrt(2 * rate * (cos(start) - cos(start + s^2)))
+  }, 0, sqrt(pi / 2 - start), rel.tol = 1e-10)$value
+  said <- expect_warning(
+    roll_disk(seq(0, 2, by = 0.1), 0.5, lean_deg = 17), class = "rotdyn_warning_truncated"
+  )
+  told <- as.numeric(sub(".* at ([0-9.]+) s.*", "\\1", conditionMessage(said)))
+  expect_equal(told, flat, tolerance = 1e-3)
+  expect_no_warning(roll_disk(c(0, 2), 0.5, spin_rad_per_s = 6))
+})

@@ -94,3 +94,10 @@ test_that("what follows from the arguments of a drive is not changed by hand", {
     expect_error(trajectory(forged, 1), name, class = "rotdyn_error_type")
   }
 })
+
+test_that("an efficiency lies above 0 and is at most 1", {
+  expect_equal(coupling_gear(2, efficiency = 1)$efficiency, 1)
+  for (wrong in c(0, -0.5, 1.001, 1.5)) {
+    expect_error(coupling_gear(2, efficiency = wrong), "efficiency", class = "rotdyn_error_value")
+  }
+})

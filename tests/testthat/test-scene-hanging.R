@@ -224,3 +224,31 @@ test_that("a tension below 0 is slack from 16 units of rounding of the weights o
   expect_no_warning(trajectory(wound(12), 0))
   expect_warning(trajectory(wound(24), 0), class = "rotdyn_warning_slack")
 })
+
+test_that("a round body's radius is taken about its axis, whichever way that points", {
+  disk <- body_disk(2, 0.25)
+  for (axis in list(c(0, 0, 1), c(0, 0, -1))) {
+    expect_equal(scene_hanging_mass(disk, 1, axis = axis)$radius_m, 0.25)
+  }
+  expect_error(scene_hanging_mass(disk, 1, axis = c(1, 0, 0)), class = "rotdyn_error_missing")
+})
+
+test_that("the slopes of both masses: one goes up where the other goes down", {
+  columns <- list(omega_rad_per_s = c(2, -1), alpha_rad_per_s2 = c(0.5, 0.5))
+  two <- rotdyn:::hanging_slopes(columns, scene_hanging_mass(0.05, 3, 0.1, counter_mass_kg = 2))
+  one <- rotdyn:::hanging_slopes(columns, scene_hanging_mass(0.05, 3, 0.1))
+  expect_length(one, 3)
+  expect_length(two, 6)
+  expect_false(anyNA(names(two)) || anyDuplicated(names(two)) > 0)
+  expect_equal(unname(two[[1]]), -unname(two[[4]]))
+  expect_equal(unname(two[[1]]), -columns$omega_rad_per_s)
+  expect_equal(unname(two[[2]]), c(1, -0.5))
+})
+
+test_that("the columns of the masses are documented in the order of the table", {
+  for (counter in c(0, 2)) {
+    motion <- trajectory(scene_hanging_mass(0.05, 3, 0.1, counter_mass_kg = counter), 0:1)
+    named <- rotdyn:::hanging_names_of(1L + (counter > 0))
+    expect_identical(intersect(names(motion), named), named)
+  }
+})

@@ -133,3 +133,17 @@ test_that("a start that rolls is said where a body could slip", {
   expect_no_message(start(static_friction = 0.1, omega0_rad_per_s = 0))
   expect_no_message(scene_incline(ball, 20, static_friction = 0.1))
 })
+
+test_that("a radius is the body's own where beta agrees to nine digits, else that of beta", {
+  body <- list(beta = 0.5, mass_kg = 2, size_m = c(radius_m = 0.3), shape = "x")
+  radius <- function(r) rotdyn:::rolling_radius(body, 0.5 * 2 * r^2, NULL)
+  expect_identical(radius(0.3 * (1 + 1e-10)), 0.3)
+  expect_equal(radius(0.3 * (1 + 1e-7)), 0.3 * (1 + 1e-7), tolerance = 1e-14)
+  expect_equal(radius(0.2), 0.2, tolerance = 1e-14)
+})
+
+test_that("a critical angle of what is missing is missing", {
+  expect_identical(
+    rolling_critical_angle(c(NA, 1, NA), c(0.5, NA, NA)), rep(NA_real_, 3)
+  )
+})

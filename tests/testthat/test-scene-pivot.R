@@ -470,3 +470,13 @@ test_that("an upright top has the inclination 0, a level one a right angle, a he
   ), 0:1)[0, ])
   expect_identical(none$power_w, double())
 })
+
+test_that("three moments need a mass and a centre of mass, both", {
+  moments <- c(0.02, 0.02, 0.03)
+  for (given in list(list(mass_kg = 2), list(centre_m = c(0, 0, 0.1)), list())) {
+    expect_error(
+      do.call(scene_pivot, c(list(moments, c(0, 0, 30)), given)), "mass_kg.*centre_m",
+      class = "rotdyn_error_missing"
+    )
+  }
+})

@@ -91,3 +91,9 @@ test_that("a pendulum hangs from the axle that the body names", {
 test_that("a bare number stands for a moment of inertia, in no scene for a mass", {
   expect_error(scene_pendulum(2, 1), "body_point\\(2\\)", class = "rotdyn_error_type")
 })
+
+test_that("a pendulum prints its body, its moment about the axle and the distance", {
+  expect_output(
+    print(scene_pendulum(body_rod(0.1, 1), 0.5)), "rod on a fixed axle.*the axle, 0.5 m from"
+  )
+})

@@ -25,3 +25,18 @@ test_that("every table refers to itself or to those before it", {
   }
   expect_false(anyDuplicated(vapply(tables, `[[`, "", "sql")) > 0)
 })
+
+test_that("the value that breaks a check does", {
+  seen <- 0
+  for (table in all_tables()) {
+    for (column in table$columns) {
+      check <- column$check
+      if (is.null(check)) next
+      expect_false(isTRUE(as.logical(check$holds(check$wrong))))
+      seen <- seen + 1
+    }
+  }
+  expect_gt(seen, 20)
+  expect_true(at_least(3)$holds(3) && !at_least(3)$holds(2.5))
+  expect_identical(at_least(3)$wrong, 2)
+})

@@ -69,3 +69,61 @@ test_that("a viscous coast-down tends to an angle", {
   expect_equal(tends(1, 1, resistance(1)), NaN)
   expect_equal(tends(1, theta0_rad = 3), 3)
 })
+test_that("a body on an incline stops where Coulomb's laws say", {
+  ball <- body_sphere(1, 0.1)
+  g <- 9.80665
+  # It slides with v' = -mu g until it rolls, at 5/7 v0; then the rolling resistance b m g stops it:
+  # v' = -g b/R/(1 + 2/5).
+  mu <- 0.3
+  arm <- 0.002
+  v0 <- 3
+  slope <- function(...) scene_incline(ball, 0, static_friction = mu, rolling_arm_m = arm, ...)
+  x <- stopping(slope(v0_m_per_s = v0, omega0_rad_per_s = 0))
+  # I omega' = F R - F_N b while it slides.
+  rate <- (mu * g * 0.1 - g * arm) / (0.4 * 0.1^2)
+  t1 <- v0 / (mu * g + 0.1 * rate)
+  v1 <- v0 - mu * g * t1
+  slow <- g * arm / 0.1 / 1.4
+  expect_equal(x$stop_time_s, t1 + v1 / slow, tolerance = 1e-12)
+  expect_equal(x$stop_x_m, v0 * t1 - mu * g * t1^2 / 2 + v1^2 / (2 * slow), tolerance = 1e-12)
+  expect_equal(x$stop_theta_rad, (rate * t1^2 / 2 + v1^2 / (2 * slow) / 0.1), tolerance = 1e-12)
+  expect_identical(x$terminal_v_m_per_s, 0)
+  # At rest from the start; down for good; at constant speed for good.
+  expect_identical(stopping(slope())$stop_time_s, 0)
+  down <- stopping(scene_incline(ball, 20, static_friction = mu))
+  expect_identical(c(down$stop_time_s, down$terminal_v_m_per_s), c(Inf, Inf))
+  level <- stopping(
+    scene_incline(ball, 0, static_friction = mu, v0_m_per_s = 7, omega0_rad_per_s = 0)
+  )
+  expect_equal(level$terminal_v_m_per_s, 5, tolerance = 1e-12)
+  up <- stopping(scene_incline(ball, -20, static_friction = mu))
+  expect_identical(up$terminal_v_m_per_s, -Inf)
+})
+
+test_that("a bead and a drive stop by dry friction", {
+  # It stays where the slope is at most the friction: within atan(mu) of the bottom.
+  hoop <- scene_hoop(1, 1, 0, theta0_rad = 0.35, static_friction = 0.1)
+  x <- stopping(hoop)
+  events <- motion_events(trajectory(hoop, c(0, 20)))
+  expect_equal(x$stop_time_s, max(events$time_s))
+  expect_lte(abs(tan(x$stop_theta_rad)), 0.1)
+  # Rotors that dry friction stops: J omega0/tau.
+  drive <- scene_drive(
+    c(1, 3), coupling_gear(1), resistance = list(resistance(coulomb_n_m = 0.5), NULL),
+    omega0_rad_per_s = c(6, 6)
+  )
+  x <- stopping(drive)
+  expect_identical(x$rotor, 1:2)
+  expect_equal(x$stop_time_s, c(48, 48), tolerance = 1e-9)
+  expect_equal(x$stop_theta_rad, c(144, 144), tolerance = 1e-8)
+})
+
+test_that("what does not stop, or cannot be known to, is refused", {
+  refused <- function(scene) expect_error(stopping(scene), class = "rotdyn_error_model")
+  refused(scene_free(c(1, 2, 3), c(1, 0, 0)))
+  refused(scene_hoop(1, 1, 0, theta0_rad = 0.35))
+  refused(scene_drive(c(1, 3), coupling_shaft(10)))
+  refused(scene_chain(c(1, 1), 1, 0.1))
+  refused(scene_incline(body_sphere(1, 0.1), 0, force = function(t) sin(t)))
+  expect_error(stopping(3), class = "rotdyn_error_type")
+})

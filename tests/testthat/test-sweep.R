@@ -176,3 +176,24 @@ test_that("a number of threads that no machine has is refused", {
   }
   for (threads in c(-1, 4097, NaN)) expect_error(sweep(threads), "internal: `threads`")
 })
+
+test_that("the extremes on the way are told where the model has them, and else left out", {
+  rows <- data.frame(moment_of_inertia_kg_m2 = 2, omega0_rad_per_s = c(0, 1))
+  # It swings: the closed form knows the rows alone.
+  swings <- spin_up_table(rows, torque_spring(4), time_s = 3)
+  expect_equal(swings$final_omega_rad_per_s, c(0, cos(3 * sqrt(2))))
+  for (name in c("max_omega_rad_per_s", "min_omega_rad_per_s", "max_abs_omega_rad_per_s")) {
+    expect_true(all(is.na(swings[[name]])))
+  }
+  # A curve of two points is a motor: omega goes to 10 rad/s as exp(-0.2 t/2).
+  bands <- spin_up_table(rows, torque_curve(c(0, 5, 10), c(2, 1, 0)), time_s = 3)
+  want <- 10 - (10 - c(0, 1)) * exp(-0.3)
+  expect_equal(bands$final_omega_rad_per_s, want)
+  expect_equal(bands$max_omega_rad_per_s, want)
+  expect_equal(bands$min_omega_rad_per_s, c(0, 1))
+  drag <- spin_up_table(
+    cbind(rows, quadratic_n_m_s2 = 0.5), torque_constant(2), time_s = 3
+  )
+  # omega' = 1 - omega^2/4: 2 tanh(t/2).
+  expect_equal(drag$max_omega_rad_per_s[1], 2 * tanh(1.5))
+})

@@ -80,3 +80,11 @@ test_that("without a fitted motion they say so", {
   }
   expect_equal(nrow(generics::glance(fit)), 1)
 })
+
+test_that("predict: the band lies evenly about the motion, by Student's quantile", {
+  fit <- swing_fit("viscous")
+  got <- predict(fit, c(3, 2, 9), level = 0.9)
+  half <- stats::qt(0.95, fit$motion$dof) * got$theta_rad_se
+  expect_equal(got$theta_rad_upper - got$theta_rad, half, tolerance = 1e-9)
+  expect_equal(got$theta_rad - got$theta_rad_lower, half, tolerance = 1e-9)
+})

@@ -103,3 +103,16 @@ test_that("what a law returns is checked where it is sampled, too", {
   slope <- function(f) trajectory(scene_incline(body_sphere(1, 1), 10, force = f), 0:2)
   expect_error(slope(function(t) c(1, 2)), "one number", class = "rotdyn_error_torque")
 })
+
+test_that("a force that is another one each time is refused", {
+  set.seed(1)
+  scene <- scene_incline(body_sphere(1, 0.1), 10, force = function(time_s) stats::runif(1))
+  expect_error(trajectory(scene, c(0, 1)), "two values", class = "rotdyn_error_random")
+  # Before a model is chosen, where the law is sampled.
+  expect_error(
+    rotdyn:::sample_function(
+      function(time_s) stats::runif(1), "force_n", list(form = "torque", unit = "N"), double(),
+      0.005, c(0, 1), NULL
+    ), "two values", class = "rotdyn_error_random"
+  )
+})

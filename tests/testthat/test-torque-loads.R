@@ -31,3 +31,18 @@ test_that("a level part of a law stays level in a sum", {
     expect_identical(unique(sum$torque_n_m), level)
   }
 })
+
+test_that("one law of knots is taken as it is, none is no torque", {
+  knots <- torque_knots(c(0, 1, 4), c(2, 3, 3), outside = "hold")
+  expect_identical(torque_loads(knots)$knots, knots)
+  expect_identical(rotdyn:::add_knots(list(knots)), knots)
+  expect_identical(rotdyn:::add_knots(list())$outside, c(0, 0))
+})
+
+test_that("several laws of knots add up exactly, whatever cancels", {
+  held <- function(value) torque_knots(c(0, 2), c(value, value))
+  knots <- torque_loads(held(1e16) + held(1) + held(-1e16))$knots
+  expect_identical(unique(knots$torque_n_m), 1)
+  knots <- torque_loads(held(1e16) + held(0.75) + held(-1e16) + held(-0.5))$knots
+  expect_identical(unique(knots$torque_n_m), 0.25)
+})

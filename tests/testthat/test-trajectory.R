@@ -241,3 +241,11 @@ test_that("a body of one's own is not damped unless that is asked", {
                -0.5 * 6 * (1 - exp(-0.5)))
   expect_false(all(spin_up(time_s = 0:2)$damping_torque_n_m == 0))
 })
+
+test_that("a motion is lost where its error is larger than the motion, and known", {
+  lost <- rotdyn:::is_lost
+  expect_true(lost(list(error = 1.5)))
+  expect_true(lost(list(error = 1 + 1e-9)))
+  expect_false(lost(list(error = 1)))
+  expect_false(lost(list(error = Inf)) || lost(list(error = NaN)))
+})

@@ -1105,6 +1105,96 @@ static void check_threads(void) {
 static void check_threads(void) { ROT_CHECK(1); }
 #endif
 
+/* A law of the caller is called by the caller's own thread alone, however many are allowed. */
+#ifndef _WIN32
+static pthread_t caller;
+static int is_elsewhere = 0, watched_calls = 0;
+
+static int watched(const double *argument, double *value, void *context) {
+  (void)argument, (void)context;
+  watched_calls++;
+  is_elsewhere |= !pthread_equal(caller, pthread_self());
+  *value = 1.0;
+  return 0;
+}
+
+static void check_own_thread(void) {
+  enum { N = 64 };
+  static const char *const inputs[] = {"omega0_rad_per_s"}, *const names[] = {"omega_rad_per_s"};
+  rotdyn_object *scene = axle(0.5);
+  double omega0[N], time_s[N], x[N];
+  double *const columns[] = {x};
+  rotdyn_rows_in in = ROTDYN_INIT(rotdyn_rows_in);
+  rotdyn_rows_out out = ROTDYN_INIT(rotdyn_rows_out);
+  rotdyn_options options = ROTDYN_INIT(rotdyn_options);
+  rotdyn_report report = ROTDYN_INIT(rotdyn_report);
+  for (int i = 0; i < N; i++) omega0[i] = i, time_s[i] = 0.5;
+  ROT_CHECK(rotdyn_set_law(scene, "torque", watched, NULL) == ROTDYN_OK);
+  caller = pthread_self();
+  const rotdyn_column values[] = {{omega0, 1}};
+  in.time_s = (rotdyn_column){time_s, 1};
+  in.n_inputs = 1;
+  in.inputs = inputs;
+  in.values = values;
+  out.n_columns = 1;
+  out.names = names;
+  out.columns = columns;
+  options.threads = 4;
+  ROT_CHECK_EQ_INT(rotdyn_scene_rows(scene, N, &in, &options, &out, &report), ROTDYN_OK);
+  ROT_CHECK(!is_elsewhere && watched_calls > N);
+  for (int i = 0; i < N; i++) ROT_CHECK(fabs(x[i] - (i + 1.0)) <= 1e-9 * (i + 1.0));
+  rotdyn_object_free(scene);
+}
+#else
+static void check_own_thread(void) { ROT_CHECK(1); }
+#endif
+
+/* The relative error is of the largest value between the times, from the earliest on. A wheel under
+ * 1 N m that turned back at -T/2 is where it was: theta = 0 in all rows, and 9/2 rad on the way. */
+static void check_sizes(void) {
+  rotdyn_object *scene = axle(1.0);
+  const double time_s[] = {-6.0, -1e-9};
+  double theta[2], *columns[] = {theta};
+  const char *const names[] = {"theta_rad"};
+  rotdyn_report report = ROTDYN_INIT(rotdyn_report);
+  ROT_CHECK(rotdyn_set_number(scene, "torque", 1.0) == ROTDYN_OK);
+  ROT_CHECK(rotdyn_set_number(scene, "omega0_rad_per_s", 3.0) == ROTDYN_OK);
+  ROT_CHECK(rotdyn_set_number(scene, "theta0_rad", 0.0) == ROTDYN_OK);
+  ROT_CHECK_EQ_INT(rotdyn_scene_run(scene, 2, time_s, NULL, 2, 1, names, columns, &report),
+                   ROTDYN_OK);
+  ROT_CHECK(fabs(theta[0]) <= 1e-14 && fabs(theta[1] + 3e-9) <= 1e-16);
+  ROT_CHECK(report.error <= 1e-13 && report.error >= 1e-16);
+  rotdyn_object_free(scene);
+}
+
+/* A pivot so far away that the moments about it exceed doubles, a pulley without a radius. */
+static void check_far_pivot(void) {
+  const double moments[] = {1.0, 1.0, 2.0}, omega0[] = {0.0, 0.0, 1.0}, far[] = {1e200, 0.0, 0.0};
+  rotdyn_object *top = rotdyn_object_new("scene_pivot");
+  ROT_CHECK_EQ_INT(give(top, "body", tensor(2.0, 3, moments)), ROTDYN_OK);
+  ROT_CHECK_EQ_INT(rotdyn_set_numbers(top, "omega0_rad_per_s", 3, omega0), ROTDYN_OK);
+  ROT_CHECK_EQ_INT(rotdyn_set_numbers(top, "pivot_m", 3, far), ROTDYN_OK);
+  ROT_CHECK(refused(top, "pivot_m", "finite moments"));
+  rotdyn_object_free(top);
+  rotdyn_object *pulley = rotdyn_object_new("scene_hanging_mass");
+  ROT_CHECK_EQ_INT(rotdyn_set_number(pulley, "body", 0.1), ROTDYN_OK);
+  ROT_CHECK_EQ_INT(rotdyn_set_number(pulley, "mass_kg", 1.0), ROTDYN_OK);
+  ROT_CHECK(refused(pulley, "radius_m", "no radius"));
+  rotdyn_object_free(pulley);
+}
+
+/* A body rolls about its third axis: g sin(alpha)/(1 + I/(m r^2)). */
+static void check_rolling_axis(void) {
+  rotdyn_object *scene = rotdyn_object_new(NAME);
+  const double moments[] = {0.03, 0.02, 0.04};
+  rotdyn_report report;
+  ROT_CHECK(give(scene, "body", tensor(2.0, 3, moments)) == ROTDYN_OK);
+  ROT_CHECK(rotdyn_set_number(scene, "radius_m", 0.2) == ROTDYN_OK);
+  ROT_CHECK(rotdyn_set_number(scene, "incline_angle_deg", 30.0) == ROTDYN_OK);
+  ROT_CHECK_REL(at(scene, "v_m_per_s", 2.0, NULL, &report), 9.80665 / 1.5, 1e-14);
+  rotdyn_object_free(scene);
+}
+
 int main(void) {
   check_refusals();
   check_closed_forms();
@@ -1130,5 +1220,9 @@ int main(void) {
   check_rows();
   check_times();
   check_threads();
+  check_own_thread();
+  check_sizes();
+  check_far_pivot();
+  check_rolling_axis();
   return rot_test_report("api scene");
 }

@@ -199,6 +199,24 @@ static void check_refusals(void) {
   refuse(join, "bodies", "one body at least");
 }
 
+/* Numbers of few digits are a rotation, those that are off by more are none. */
+static void check_nearly_turned(void) {
+  for (int k = 0; k < 2; k++) {
+    const double off = k ? 1e-7 : 2e-9; /* of the square of a row */
+    const double rows[3][3] = {{0.0, 0.0, 1.0 + 0.5 * off}, {0.0, 1.0, 0.0}, {-1.0, 0.0, 0.0}};
+    rotdyn_object *turned = placed(sphere(1.0, 0.1), 0.0, 0.0, 0.0);
+    rotdyn_object *matrix = rotdyn_object_new("list");
+    for (int i = 0; i < 3; i++)
+      ROT_CHECK(rotdyn_set_numbers(matrix, NULL, 3, rows[i]) == ROTDYN_OK);
+    give(turned, "rotation", matrix);
+    if (k) {
+      refuse(turned, "rotation", "three rows");
+    } else {
+      ROT_CHECK_REL(moment_of(turned), 0.004, 1e-15);
+    }
+  }
+}
+
 int main(void) {
   check_joined();
   check_cut();
@@ -208,5 +226,6 @@ int main(void) {
   check_polygon();
   check_numbers();
   check_refusals();
+  check_nearly_turned();
   return rot_test_report("compound");
 }

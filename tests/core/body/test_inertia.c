@@ -575,6 +575,24 @@ static void check_join_scales(void) {
   }
 }
 
+/* No axis has a zero with a sign, whatever the order and the signs of the axes of the tensor. */
+static void check_zeros(void) {
+  static const int order[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+  for (int k = 0; k < 6; k++) {
+    for (int product = 0; product < 7; product++) {
+      double c[6] = {0.0};
+      for (int i = 0; i < 3; i++) c[i] = 1.0 + order[k][i];
+      if (product) c[3 + (product - 1) / 2] = product % 2 ? 0.25 : -0.25;
+      rot_principal p;
+      ROT_CHECK_EQ_INT(rot_inertia_principal(c, 0.0, &p), ROT_OK);
+      for (int i = 0; i < 3; i++) {
+        const double x = p.axes[3 * i + 2];
+        ROT_CHECK(x < 0.0 || x > 0.0 || !signbit(x));
+      }
+    }
+  }
+}
+
 int main(void) {
   check_conversion();
   check_shift();
@@ -587,5 +605,6 @@ int main(void) {
   check_join_range();
   check_join_random();
   check_join_scales();
+  check_zeros();
   return rot_test_report("inertia");
 }

@@ -217,6 +217,29 @@ static void check_shared(void) {
   ROT_CHECK(rows > 1);
 }
 
+/* An outline that meets itself in a corner: crossing there, or touching; from any corner on, either
+ * way round, turned and mirrored. */
+static void check_corner(void) {
+  const double crosses[6][2] = {{-1, -1}, {0, 0}, {1, 1}, {1, -1}, {0, 0}, {-1, 1}};
+  const double touches[6][2] = {{-1, -1}, {0, 0}, {1, -1}, {1, 1}, {0, 0}, {-1, 1}};
+  for (int first = 0; first < 6; first++) {
+    for (int form = 0; form < 16; form++) {
+      double at[2][12];
+      for (int i = 0; i < 6; i++) {
+        const int from = ((form & 1 ? -i : i) + first + 6) % 6;
+        for (int kind = 0; kind < 2; kind++) {
+          const double *corner = kind ? touches[from] : crosses[from];
+          const int turned = form >> 3 & 1;
+          at[kind][i] = corner[turned] * (form & 2 ? -1.0 : 1.0);
+          at[kind][6 + i] = corner[!turned] * (form & 4 ? -1.0 : 1.0);
+        }
+      }
+      ROT_CHECK_EQ_INT(refused(6, at[0]), ROT_VERTICES_CROSSING);
+      ROT_CHECK(fabs(polygon(6, at[1], 1.0).measure) == 2.0);
+    }
+  }
+}
+
 int main(void) {
   check_polygons();
   check_density();
@@ -226,5 +249,6 @@ int main(void) {
   check_refused();
   check_tetrahedron();
   check_shared();
+  check_corner();
   return rot_test_report("vertices");
 }

@@ -1,7 +1,16 @@
 /* Rows shared out: each is done once, whatever the part and the threads; a hook stops the rest. */
+/* fork(), alarm() */
+#define _POSIX_C_SOURCE 200809L
 #include "ground/share.h"
 
+#include <pthread.h>
 #include <stdlib.h>
+#include <time.h>
+
+#ifndef _WIN32
+#include <sys/wait.h>
+#include <unistd.h>
+#endif
 
 #include "rot_test.h"
 
@@ -48,9 +57,58 @@ static void a_hook_stops(void) {
   }
 }
 
+/* Several threads are used where there are several: the first waits for another one. */
+static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
+static pthread_t first_one;
+static int known = 0, several = 0;
+
+static int another_came(void) {
+  (void)pthread_mutex_lock(&lock);
+  if (!known) first_one = pthread_self(), known = 1;
+  several |= !pthread_equal(first_one, pthread_self());
+  const int came = several;
+  (void)pthread_mutex_unlock(&lock);
+  return came;
+}
+
+static void wait_for_another(const void *frame, size_t first, size_t last) {
+  const time_t begun = time(NULL);
+  (void)frame, (void)first, (void)last;
+  while (!another_came() && difftime(time(NULL), begun) < 20.0) {}
+}
+
+static void threads_are_used(void) {
+  rot_info info;
+  if (rot_share_threads() < 2) return;
+  ROT_CHECK(rot_share_rows(wait_for_another, NULL, 2, 1, 2, NULL, &info) == ROT_OK);
+  ROT_CHECK(several && info.rows_done == 2);
+}
+
+/* A child that was forked after threads were used has none, and does not wait for them. */
+#ifndef _WIN32
+static void a_child_goes_alone(void) {
+  rot_info info;
+  int *done = calloc(64, sizeof *done), said = -1;
+  ROT_CHECK(rot_share_rows(count, &done, 64, 16, 2, NULL, &info) == ROT_OK);
+  (void)fflush(stdout);
+  const pid_t child = fork();
+  if (child == 0) {
+    (void)alarm(20);
+    _exit(rot_share_rows(count, &done, 64, 16, 2, NULL, &info) == ROT_OK && done[63] == 2 ? 0 : 1);
+  }
+  ROT_CHECK(child > 0 && waitpid(child, &said, 0) == child);
+  ROT_CHECK_EQ_INT(said, 0);
+  free(done);
+}
+#else
+static void a_child_goes_alone(void) { ROT_CHECK(1); }
+#endif
+
 int main(void) {
   each_row_once();
   a_hook_stops();
   ROT_CHECK(rot_share_threads() >= 1);
+  threads_are_used();
+  a_child_goes_alone();
   return rot_test_report("share");
 }

@@ -123,10 +123,27 @@ static void check_decays(void) {
   }
 }
 
+/* Sine and cosine of x + x_lo: by the sums of angles in extended precision, where that is more. */
+static void check_split_angle(void) {
+  if (sizeof(long double) <= sizeof(double)) return;
+  const double at[] = {0.5, -2.0, 1e9, -3e12};
+  for (int i = 0; i < 4; i++) {
+    for (int e = -40; e <= -12; e++) {
+      const double lo = 0.7 * ldexp(1.0, e);
+      const long double s = sinl(at[i]), c = cosl(at[i]), sl = sinl(lo), cl = cosl(lo);
+      double sine, cosine;
+      rot_sin_cos(at[i], lo, &sine, &cosine);
+      ROT_CHECK(fabs(sine - (double)(s * cl + c * sl)) <= 2.3e-16);
+      ROT_CHECK(fabs(cosine - (double)(c * cl - s * sl)) <= 2.3e-16);
+    }
+  }
+}
+
 int main(void) {
   check_waves();
   check_infinite();
   check_residuals();
   check_decays();
+  check_split_angle();
   return rot_test_report("divided");
 }

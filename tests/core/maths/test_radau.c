@@ -119,11 +119,42 @@ static void check_stop(void) {
   }
 }
 
+/* y' = -y^2, and y'' = -sin y: one step, against the collocation of five stages by 40 digits. What
+ * Newton's iteration may leave is less than a rounding here. */
+static int square(double t, const double y[], double f[], void *ctx) {
+  (void)t, (void)ctx;
+  f[0] = -y[0] * y[0];
+  return 0;
+}
+
+static int pendulum(double t, const double y[], double f[], void *ctx) {
+  (void)t, (void)ctx;
+  f[0] = y[1];
+  f[1] = -sin(y[0]);
+  return 0;
+}
+
+static void check_digits(void) {
+  const double allowed[] = {1e-10, 1e-10};
+  double y[] = {1.0, 0.5}, error[2], slope[] = {-1.0, 0.0};
+  rot_radau *one = rot_radau_alloc(1, 1), *two = rot_radau_alloc(2, 2);
+  ROT_CHECK_EQ_INT(rot_radau_step(one, square, NULL, 0.0, 0.5, y, error, slope, allowed), 0);
+  ROT_CHECK_ULP(y[0], 0.6666666666625905220603126, 4);
+  y[0] = 1.0;
+  slope[0] = 0.5, slope[1] = -sin(1.0);
+  ROT_CHECK_EQ_INT(rot_radau_step(two, pendulum, NULL, 0.0, 1.0, y, error, slope, allowed), 0);
+  ROT_CHECK_ULP(y[0], 1.056272124833736355523172, 4);
+  ROT_CHECK_ULP(y[1], -0.3919652846285381059630473, 8);
+  rot_radau_free(one);
+  rot_radau_free(two);
+}
+
 int main(void) {
   check_coefficients();
   check_order();
   check_stiff();
   check_growth();
   check_stop();
+  check_digits();
   return rot_test_report("radau");
 }

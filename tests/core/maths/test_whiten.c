@@ -158,11 +158,32 @@ static void check_columns(void) {
   ROT_CHECK(white > 85);
 }
 
+/* The search ends where twice the log likelihood is known to 1e-3: some dozen values of it. */
+static void check_effort(void) {
+  uint64_t seed = 5;
+  size_t most = 0;
+  for (int trial = 0; trial < 40; trial++) {
+    double t[N], r[N], J[N], e = normal(&seed);
+    for (int i = 0; i < N; i++) {
+      t[i] = 0.1 * i;
+      e = exp(-0.4) * e + sqrt(1.0 - exp(-0.8)) * normal(&seed);
+      r[i] = e + 0.3 * normal(&seed);
+      J[i] = 1.0;
+    }
+    rot_reml out;
+    ROT_CHECK(rot_whiten_reml(N, t, 1, J, r, 2.0, 2.0, NULL, NULL, &out) == ROT_OK);
+    if (out.evaluations > most) most = out.evaluations;
+  }
+  printf("most values of the likelihood: %zu\n", most);
+  ROT_CHECK(most < 400);
+}
+
 int main(void) {
   check_dense();
   check_white();
   check_most_columns();
   check_reml();
   check_columns();
+  check_effort();
   return rot_test_report("whiten");
 }

@@ -574,6 +574,148 @@ static void random_nodes(void) {
   }
 }
 
+/* Covariance of a p-fold integral of white noise of density 1, both from 0: by expansion about the
+ * earlier time, the integral of (t - v)^(p-1) (s - v)^(p-1)/(p-1)!^2 from 0 to the smaller. */
+static double covariance_of(double t, double s, int p) {
+  const double apart = fabs(t - s), least = fmin(t, s);
+  double sum = 0.0, ways = 1.0, whole = 1.0;
+  for (int j = 0; j < p; j++) {
+    sum += ways * pow(apart, p - 1 - j) * pow(least, p + j) / (p + j);
+    ways *= (double)(p - 1 - j) / (j + 1);
+  }
+  for (int j = 2; j < p; j++) whole *= j;
+  return sum / (whole * whole);
+}
+
+enum { FEW = 30, DIFFUSE = 2 * P };
+
+/* n log GCV by dense matrices: samples have V = 1 + their process, and the diffuse states X; their
+ * residuals are R y, R = V^-1 - V^-1 X (X' V^-1 X)^-1 X' V^-1, and n - edf is the trace of R. R is
+ * built by eliminating the columns of X one by one. A second segment starts at `split` (0: none),
+ * behind `kink` the rate and higher derivatives are new (0: none). */
+static double dense_validation(int n, const double t[], const double y[], int split, double kink,
+                               int p, double lambda) {
+  static double r[FEW][2 * FEW];
+  double x[DIFFUSE][FEW] = {{0.0}};
+  int columns = 0;
+  for (int part = 0; part < (split ? 2 : 1); part++)
+    for (int j = 0; j < p; j++, columns++)
+      for (int i = part ? split : 0; i < (part || !split ? n : split); i++)
+        x[columns][i] = pow((t[i] - (part ? t[split] : 0.0)) / n, j);
+  for (int j = 1; j < p && kink > 0.0; j++, columns++)
+    for (int i = 0; i < n; i++)
+      if (t[i] > kink) x[columns][i] = pow((t[i] - kink) / n, j);
+  for (int i = 0; i < n; i++) {
+    for (int k = 0; k < n; k++) {
+      const double from = split && i >= split ? t[split] : 0.0;
+      double v = 0.0;
+      if (!split || (i >= split) == (k >= split)) {
+        const double a = t[i] - from, b = t[k] - from;
+        if (kink > 0.0) {
+          v = covariance_of(fmin(a, kink), fmin(b, kink), p);
+          if (a > kink && b > kink) v += covariance_of(a - kink, b - kink, p);
+        } else
+          v = covariance_of(a, b, p);
+      }
+      r[i][k] = lambda * v + (i == k);
+      r[i][n + k] = i == k;
+    }
+  }
+  for (int c = 0; c < n; c++) { /* Gauss and Jordan; V is positive definite */
+    const double by = 1.0 / r[c][c];
+    for (int k = 0; k < 2 * n; k++) r[c][k] *= by;
+    for (int i = 0; i < n; i++) {
+      const double factor = r[i][c];
+      for (int k = 0; i != c && k < 2 * n; k++) r[i][k] -= factor * r[c][k];
+    }
+  }
+  for (int c = 0; c < columns; c++) {
+    double along[FEW], size = 0.0;
+    for (int i = 0; i < n; i++) {
+      along[i] = 0.0;
+      for (int k = 0; k < n; k++) along[i] += r[i][n + k] * x[c][k];
+      size += along[i] * x[c][i];
+    }
+    for (int i = 0; i < n; i++)
+      for (int k = 0; k < n; k++) r[i][n + k] -= along[i] * along[k] / size;
+  }
+  double square = 0.0, left = 0.0;
+  for (int i = 0; i < n; i++) {
+    double residual = 0.0;
+    for (int k = 0; k < n; k++) residual += r[i][n + k] * y[k];
+    square += residual * residual;
+    left += r[i][n + i];
+  }
+  return n * (log(square) - 2.0 * log(left));
+}
+
+/* Short records, where the first samples and the diffuse states count: lambda is lowered by the
+ * quarters of a decade that dense matrices say, of one segment, of two, behind a break. */
+static void lowered_as_dense(void) {
+  double t[FEW], y[FEW];
+  int segment[FEW], seen[6] = {0}, compared = 0;
+  for (int trial = 0; trial < 300; trial++) {
+    const int n = 16 + trial % 15, p = 2 + trial % 2, split = trial % 3 == 1 ? n / 2 : 0;
+    const double kink = trial % 3 == 2 ? 0.5 * n + 0.25 : 0.0;
+    const double swing = pow(10.0, 1.5 * uniform()), rate = 0.3 + 0.7 * uniform();
+    const double at = 2.0 * uniform() - 0.5;
+    for (int i = 0; i < n; i++) {
+      t[i] = i;
+      segment[i] = split && i >= split;
+      y[i] = swing * sin(rate * i) + (kink > 0.0 && i > kink ? swing * (i - kink) : 0.0) + normal();
+    }
+    double value[6];
+    int want = 0, clear = 1;
+    for (int step = 0; step < 6; step++)
+      value[step] = dense_validation(n, t, y, split, kink, p, pow(10.0, at - 0.25 * step));
+    for (int step = 1; step < 6 && want == step - 1; step++) {
+      const double falls = value[step - 1] - value[step];
+      if (falls > 0.5) want = step;
+      clear = clear && fabs(falls - 0.5) > 0.02;
+    }
+    if (!clear) continue;
+    const rot_smooth_record record = {
+        (size_t)n, t, {y, NULL}, {NULL, NULL}, split ? segment : NULL, {0.0, 0.0}, NULL, NULL, 0};
+    const rot_smooth_break broken = {kink, 0, 1};
+    rot_smooth_fit fit = {.model = {p, pow(10.0, at)}, .ratio = 1.0, .end = ROT_SMOOTH_WITHIN};
+    ROT_CHECK(rot_smooth_refine(&record, kink > 0.0, &broken, p, NULL, &fit) == ROT_OK);
+    ROT_CHECK_REL(fit.model.lambda, pow(10.0, at - 0.25 * want), 1e-12);
+    seen[want]++;
+    compared++;
+  }
+  printf("lowered as by dense matrices: %d records; steps %d %d %d %d %d %d\n", compared, seen[0],
+         seen[1], seen[2], seen[3], seen[4], seen[5]);
+  ROT_CHECK(compared > 250 && seen[0] > 20 && seen[5] > 20 && seen[2] + seen[3] > 10);
+}
+
+/* A switched torque is no impact: a jump of omega, one state more, has to pay for itself. A small
+ * impact is one. */
+static void switch_or_impact(void) {
+  static samples of;
+  int switches = 0, impacts = 0;
+  for (int trial = 0; trial < 12; trial++) {
+    const double at = 4.0 + 0.02 * uniform();
+    for (int struck = 0; struck < 2; struck++) {
+      make_samples(&of, 400);
+      for (int i = 0; i < 400; i++) {
+        const double t = of.time[i], since = fmax(0.0, t - at);
+        of.theta[i] =
+            5.0 * t + 4.0 * since * since + (struck ? 0.5 * since : 0.0) + 1e-3 * normal();
+      }
+      const rot_smooth_finding how = {1, 0, 3, 4, 10};
+      rot_smooth_break breaks[10];
+      rot_smooth_fit fit;
+      size_t n = 0;
+      ROT_CHECK(rot_smooth_find(&of.record, &how, breaks, &n, NULL, &fit) == ROT_OK);
+      if (n != 1 || fabs(breaks[0].time_s - at) > 0.05) continue;
+      switches += !struck && breaks[0].first == 2;
+      impacts += struck && breaks[0].first == 1;
+    }
+  }
+  printf("of 12: %d switched torques, %d impacts\n", switches, impacts);
+  ROT_CHECK(switches >= 10 && impacts >= 10);
+}
+
 int main(void) {
 #ifdef __SIZEOF_FLOAT128__
   quadruple_precision();
@@ -586,5 +728,7 @@ int main(void) {
   exact_line();
   refined();
   random_nodes();
+  lowered_as_dense();
+  switch_or_impact();
   return rot_test_report("smooth");
 }

@@ -342,6 +342,32 @@ static void check_shaft_and_clutch(void) {
   ROT_CHECK_EQ_INT(rot_choice_pick(&rot_clutch_constraint, &c, &q, picked), 0);
 }
 
+/* A closed form with a bound promises some roundings; what is looser is a short cut of the top. */
+static void check_promises(void) {
+  size_t n;
+  const rot_constraint *const *list = rot_choice_constraints(&n);
+  for (size_t i = 0; i < n; i++) {
+    for (size_t k = 0; k < list[i]->n_models; k++) {
+      const rot_model *m = &list[i]->models[k];
+      const int short_cut = !strcmp(m->id, "pivot_precession") || !strcmp(m->id, "pivot_nutation");
+      if (m->error_kind == ROT_BOUND)
+        ROT_CHECK(short_cut ? m->promise <= 1e-6 : m->promise <= 1e-13);
+    }
+  }
+}
+
+/* What is solved in modes promises little more. */
+static void check_estimates(void) {
+  size_t n;
+  const rot_constraint *const *list = rot_choice_constraints(&n);
+  for (size_t i = 0; i < n; i++) {
+    for (size_t k = 0; k < list[i]->n_models; k++) {
+      const rot_model *m = &list[i]->models[k];
+      if (m->error_kind == ROT_ESTIMATE && m->use == ROT_FREELY) ROT_CHECK(m->promise <= 1e-12);
+    }
+  }
+}
+
 int main(void) {
   check_lists();
   check_rules();
@@ -349,5 +375,7 @@ int main(void) {
   check_axle();
   check_axle_reasons();
   check_shaft_and_clutch();
+  check_promises();
+  check_estimates();
   return rot_test_report("choice");
 }

@@ -7,7 +7,8 @@
 #include "ground/real.h"
 #include "rot_test.h"
 
-/* y'' = -y - friction sign(y'), sign and rest as *mode says; y[2]: the driving force, y[3]: heat. */
+/* y'' = -y - friction sign(y'), sign and rest as *mode says; y[2]: the driving force, y[3]:
+ * heat. */
 typedef struct block {
   double friction;
   int mode;

@@ -350,6 +350,20 @@ static void check_refusals(void) {
   ROT_CHECK(r.status == ROT_OK && r.info.rows_done == 0);
 }
 
+/* A row at the very time of a stop: the rate errs as just before, and by four roundings of the time
+ * of the stop, 10 s, times the deceleration. Behind it the body rests exactly. */
+static void check_settling(void) {
+  const double before[] = {10.0 * (1.0 - 1e-9)}, at[] = {10.0}, later[] = {10.1};
+  const rot_axle_scene s = rubbing(1.0, 1.0, 0.1, 0.1);
+  go(&s, 1, before);
+  const double moving = r.info.measure[ROT_OMEGA].error;
+  go(&s, 1, at);
+  ROT_CHECK(fabs(r.omega[0]) <= 1e-15);
+  ROT_CHECK(fabs(r.info.measure[ROT_OMEGA].error - moving - 4.0 * ROT_EPS) <= 0.5 * ROT_EPS);
+  go(&s, 1, later);
+  ROT_CHECK(r.omega[0] == 0.0 && r.info.measure[ROT_OMEGA].error == 0.0);
+}
+
 int main(void) {
   ROT_CHECK_EQ_INT(check_known_cases(&r, rot_axle_drag, 0), 16);
   check_mirrors(rot_axle_drag, 0);
@@ -369,5 +383,6 @@ int main(void) {
   check_motor();
   check_refusals();
   rot_events_free(&r.events);
+  check_settling();
   return rot_test_report("axle_drag");
 }

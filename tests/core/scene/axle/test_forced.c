@@ -977,6 +977,17 @@ static void check_poll(void) {
   ROT_CHECK(fraction > 0.0 && fraction < 1.0);
 }
 
+/* The angle may leave the range where the rate does not. */
+static void check_far(void) {
+  const double x[] = {1e100, 3e-200, 0.0}, t[] = {0.0, 1e140, 1e160};
+  const rot_term term = term_of(ROT_TERM_EXPONENTIAL, x, 3);
+  const rot_axle_scene scene = simple(1.0, 1e-50, 0.0, &term);
+  rot_info info;
+  ROT_CHECK(run(&scene, 3, t, &info) == ROT_ERANGE);
+  ROT_CHECK_EQ_INT(info.rows_done, 2);
+  ROT_CHECK_REL(column[1][1], 1e150, 1e-14);
+}
+
 int main(void) {
   check_mixed();
   check_shared("refs/fixed_axis_sinus.csv", ROT_TERM_SINUSOID, 4.0);
@@ -992,5 +1003,6 @@ int main(void) {
   check_extremes();
   check_range();
   check_poll();
+  check_far();
   return rot_test_report("axle_forced");
 }

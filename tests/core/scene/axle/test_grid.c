@@ -241,6 +241,19 @@ static void check_by_hand(void) {
   }
 }
 
+/* The bound of theta without torque or resistance, from above: five roundings of the way, and one
+ * of each of the sums. */
+static void check_bound(void) {
+  double t[N];
+  rot_info info;
+  const rot_axle_columns out = columns(fast);
+  const rot_axle_params p = {2.0, 0.0, 0.0, 0.0, 3.0, {0, NULL, NULL, 0.0, 0.0, NULL, NULL}};
+  even(100, 0.0, 7.0, t);
+  ROT_CHECK(rot_axle_linear_fast(&p, 100, t, &out, NULL, &info) == ROT_OK);
+  const double way = 21.0 * ROT_EPS, said = info.measure[ROT_THETA].error;
+  ROT_CHECK(said >= 5.0 * way && said <= 6.5 * way);
+}
+
 int main(void) {
   check_even_grids();
   check_other_grids();
@@ -249,5 +262,6 @@ int main(void) {
   check_bits();
   check_known();
   check_by_hand();
+  check_bound();
   return rot_test_report("axle_grid");
 }

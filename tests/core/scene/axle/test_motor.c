@@ -92,10 +92,27 @@ static void check_no_motor(void) {
   ROT_CHECK(info.measure[ROT_THETA].error == theta && info.measure[ROT_OMEGA].error == omega);
 }
 
+/* The same where the resistance drives more than the motor brakes, so that all errors grow. */
+static void check_growing(void) {
+  rot_axle_scene scene = motor_scene(1.0 / 3.0, -0.5);
+  rot_info info, plain;
+  ROT_CHECK_EQ_INT(rot_axle_linear_scene(&scene, ROWS, time_s, &out, NULL, NULL, &info), ROT_OK);
+  const double omega = out.omega_rad_per_s[2], theta = out.theta_rad[2];
+  for (int sign = -1; sign <= 1; sign += 2) {
+    scene.linear.viscous_n_m_s = 1.0 / 3.0 - 0.5 + sign * ROT_EPS * (0.5 + 1.0 / 3.0);
+    rot_axle_linear(&scene.linear, ROWS, time_s, &out, NULL, &plain);
+    ROT_CHECK(fabs(out.omega_rad_per_s[2] - omega) <= info.measure[ROT_OMEGA].error);
+    ROT_CHECK(fabs(out.theta_rad[2] - theta) <= info.measure[ROT_THETA].error);
+  }
+  ROT_CHECK(info.measure[ROT_OMEGA].error > plain.measure[ROT_OMEGA].error);
+  ROT_CHECK(info.measure[ROT_THETA].error > plain.measure[ROT_THETA].error);
+}
+
 int main(void) {
   check_columns();
   check_ledger();
   check_error();
   check_no_motor();
+  check_growing();
   return rot_test_report("axle_motor");
 }

@@ -277,6 +277,56 @@ static void test_refusals(void) {
   ROT_CHECK_EQ_INT(info.rows_done, 0);
 }
 
+/* The equation is linear: a start 2^e times as large is the motion 2^e times as large,
+ * however small or large, with all torques; and so are inertia, damping and stiffness. */
+static void test_linear(void) {
+  rot_info info;
+  for (int knots = 0; knots < 2; knots++) {
+    row r = {.inertia = 1.3, .viscous = 0.2, .stiffness = 5.0, .theta0 = 0.7, .omega0 = 0.1};
+    if (knots) r.n_knots = 2, r.knot_s[1] = 2.0, r.knot_n_m[0] = 1.0, r.knot_n_m[1] = -1.0;
+    ROT_CHECK_EQ_INT(run_scene(&r, 1.5, &info), ROT_OK);
+    const double theta = got[0], omega = got[1];
+    for (int e = -1000; e <= 1000; e += 100) {
+      row s = r;
+      s.theta0 = ldexp(r.theta0, e);
+      s.omega0 = ldexp(r.omega0, e);
+      for (int k = 0; k < 2; k++) s.knot_n_m[k] = ldexp(r.knot_n_m[k], e);
+      ROT_CHECK_EQ_INT(run_scene(&s, 1.5, &info), ROT_OK);
+      ROT_CHECK_ULP(got[0], ldexp(theta, e), 2);
+      ROT_CHECK_ULP(got[1], ldexp(omega, e), 2);
+      if (knots) continue;
+      s = r; /* inertia, damping and stiffness together */
+      s.inertia = ldexp(r.inertia, e);
+      s.viscous = ldexp(r.viscous, e);
+      s.stiffness = ldexp(r.stiffness, e);
+      ROT_CHECK_EQ_INT(run_scene(&s, 1.5, &info), ROT_OK);
+      ROT_CHECK_ULP(got[0], theta, 2);
+      ROT_CHECK_ULP(got[1], omega, 2);
+    }
+  }
+}
+
+/* Seconds of another length beside angles of another size: products of a stiffness and an angle lie
+ * beyond doubles where the motion does not. */
+static void test_units(void) {
+  rot_info info;
+  const row r = {.inertia = 1.3, .stiffness = 5.0, .theta0 = 0.7, .omega0 = 0.1};
+  ROT_CHECK_EQ_INT(run_scene(&r, 1.5, &info), ROT_OK);
+  const double theta = got[0], omega = got[1];
+  for (int e = -600; e <= 600; e += 100) {
+    for (int a = -900; a <= 900; a += 100) {
+      if (abs(a + e / 2) > 1000) continue;
+      row s = r;
+      s.stiffness = ldexp(r.stiffness, e);
+      s.theta0 = ldexp(r.theta0, a);
+      s.omega0 = ldexp(r.omega0, a + e / 2);
+      ROT_CHECK_EQ_INT(run_scene(&s, ldexp(1.5, -e / 2), &info), ROT_OK);
+      ROT_CHECK_ULP(got[0], ldexp(theta, a), 2);
+      ROT_CHECK_ULP(got[1], ldexp(omega, a + e / 2), 2);
+    }
+  }
+}
+
 int main(void) {
   test_table();
   test_energy();
@@ -285,5 +335,7 @@ int main(void) {
   test_many_knots();
   test_columns();
   test_refusals();
+  test_linear();
+  test_units();
   return rot_test_report("axle_oscillator");
 }

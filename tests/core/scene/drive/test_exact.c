@@ -1,6 +1,8 @@
 /* Closed forms of drives against the integrator, by rows, heat and ledger. */
 #include "scene/drive/exact.h"
 
+#include "scene/drive/ledger.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -200,9 +202,34 @@ static void check_shafts(void) {
   }
 }
 
+/* Energy and momentum stay unless something acts: each cause alone is told. */
+static void check_keeps(void) {
+  enum { ENERGY = 0, MOMENTUM = 1 };
+  const char *why[ROT_MOST_CAUSES];
+  for (int cause = -1; cause < 8; cause++) {
+    clear(2);
+    coupling[0] = (rot_drive_coupling){
+        .kind = ROT_DRIVE_SHAFT, .ratio = cause == 7 ? 2.0 : 1.0, .stiffness_n_m_per_rad = 40.0};
+    if (cause == 0) rotor[1].viscous_n_m_s = 0.1;
+    if (cause == 1) rotor[0].quadratic_n_m_s2 = 0.1;
+    if (cause == 2) rotor[1].coulomb_n_m = 0.1;
+    if (cause == 3) rotor[0].static_n_m = 0.1;
+    if (cause == 4) torque(1, 0.1);
+    if (cause == 5) coupling[0].damping_n_m_s = 0.1;
+    if (cause == 6) coupling[0].kind = ROT_DRIVE_CLUTCH;
+    const rot_drive_scene scene = {.n = 2, .rotor = rotor, .brake = brake, .coupling = coupling};
+    const size_t energy = cause >= 0 && cause < 7,
+                 momentum = cause >= 0 && (cause < 5 || cause == 7);
+    ROT_CHECK_EQ_INT(rot_drive_keeps(&scene, ENERGY, why), energy);
+    if (cause >= 0 && cause < 4) ROT_CHECK(strstr(why[0], "resistance") != NULL);
+    ROT_CHECK_EQ_INT(rot_drive_keeps(&scene, MOMENTUM, why), momentum);
+  }
+}
+
 int main(void) {
   check_gears();
   check_clutch();
   check_shafts();
+  check_keeps();
   return rot_test_report("drive exact");
 }

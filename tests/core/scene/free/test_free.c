@@ -217,11 +217,58 @@ static void check_choice(void) {
   ROT_CHECK(rot_info_error(&info) > 1.0); /* no digit is left, and it says so */
 }
 
+/* Own axes that are not the principal ones, turned about any line: at the start the rows have the
+ * attitude and the rates that were given, and L and the energy of the tensor in own axes. */
+static void check_own_axes(void) {
+  const double t = 0.0, axes[4] = {0.5, 0.1, -0.7, 0.5}, own[3] = {0.3, -1.2, 0.8};
+  static rows r;
+  rot_info info;
+  rot_free_params p = scene(1.0, 2.0, 2.5, own[0], own[1], own[2]);
+  const double q0[4] = {0.1, 0.7, 0.5, -0.5};
+  p.turned = 1;
+  memcpy(p.axes, axes, sizeof axes);
+  memcpy(p.q0, q0, sizeof q0);
+  ROT_CHECK_REL(axes[0] * axes[0] + 0.01 + 0.49 + 0.25, 1.0, 1e-15);
+  const rot_free_columns out = columns_of(&r);
+  ROT_CHECK_EQ_INT(rot_free_exact(&p, 1, &t, &out, NULL, NULL, &info), ROT_OK);
+  const double got[4] = {r.qw[0], r.qx[0], r.qy[0], r.qz[0]};
+  ROT_CHECK(rot_attitude_angle(got, p.q0) <= 2e-15);
+  ROT_CHECK(fabs(r.omega_x_rad_per_s[0] - own[0]) <= 1e-15);
+  ROT_CHECK(fabs(r.omega_y_rad_per_s[0] - own[1]) <= 1e-15);
+  ROT_CHECK(fabs(r.omega_z_rad_per_s[0] - own[2]) <= 1e-15);
+  double w[3], l[3];
+  rot_attitude_to_body(axes, own, w);
+  for (int k = 0; k < 3; k++) l[k] = p.moment_kg_m2[k] * w[k];
+  rot_attitude_to_space(axes, l, l);
+  rot_attitude_to_space(q0, l, l);
+  ROT_CHECK(fabs(r.angular_momentum_x_kg_m2_per_s[0] - l[0]) <= 2e-15);
+  ROT_CHECK(fabs(r.angular_momentum_y_kg_m2_per_s[0] - l[1]) <= 2e-15);
+  ROT_CHECK(fabs(r.angular_momentum_z_kg_m2_per_s[0] - l[2]) <= 2e-15);
+}
+
+/* Steps of fixed length cost as many steps as the time takes, each of them. */
+static void check_cost(void) {
+  const rot_free_params p = scene(1.0, 2.0, 2.5, 0.3, -1.2, 0.8);
+  double cost[2];
+  for (size_t k = 0; k < rot_free_constraint.n_models; k++) {
+    const rot_model *m = &rot_free_constraint.models[k];
+    if (strcmp(m->id, "free_rk4") && strcmp(m->id, "free_split")) continue;
+    for (int i = 0; i < 2; i++) {
+      const double t = i ? 1e5 : 1e4;
+      const rot_query query = {1, &t, 1e-6, 0.0};
+      cost[i] = m->cost_s(m, &p, &query);
+    }
+    ROT_CHECK(cost[1] > 9.0 * cost[0] && cost[1] < 11.0 * cost[0]);
+  }
+}
+
 int main(void) {
   check_exact_and_integrated();
   check_torque_on_a_ball();
   check_knots_and_law();
   check_flips();
   check_choice();
+  check_own_axes();
+  check_cost();
   return rot_test_report("free");
 }

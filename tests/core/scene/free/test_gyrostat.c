@@ -225,6 +225,23 @@ static void check_cancelled(void) {
   ROT_CHECK(info.measure[0].error > 0.0 && info.measure[0].error <= 1e-14);
 }
 
+/* Two rotors of a ball leave 2^-40 of their momenta: the direction of that is known to 16 roundings
+ * of double-doubles, 2^-102, of the sum of their sizes over it, and turns the body twice. */
+static void check_left_over(void) {
+  static rows r;
+  rot_info info;
+  const double t = 0.0, left = 0x1p-49;
+  rot_free_rotor rotor[2] = {rotor_of(0.6, 0.8, 0, 1.0, 1.0, 1),
+                             rotor_of(-0.6, -0.8, 0, 1.0, 1.0 - left, 1)};
+  rot_free_params p = scene(8.0, 8.0, 8.0, 0.0, 0.0, 1.0);
+  p.n_rotors = 2;
+  p.rotors = rotor;
+  ROT_CHECK_EQ_INT(exact(&p, 1, &t, &r, &info), ROT_OK);
+  const double direction = 16.0 * 0x1p-102 * 2.0 / left;
+
+  ROT_CHECK_REL(info.measure[0].error, 2.0 * direction + 32.0 * 0x1p-53, 1e-3);
+}
+
 int main(void) {
   check_reference();
   check_integrated();
@@ -232,5 +249,6 @@ int main(void) {
   check_refused();
   check_long();
   check_cancelled();
+  check_left_over();
   return rot_test_report("free_gyrostat");
 }

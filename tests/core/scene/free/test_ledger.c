@@ -68,8 +68,34 @@ static void check_weight(void) {
   kit_free(k);
 }
 
+/* What an audit allows of the momentum of an integrated run: the errors of both ends. */
+static void check_explained(void) {
+  const double t[] = {0.0, 7.0};
+  kit *k = kit_new("scene_free");
+  vector(k, "body", 1.0, 2.0, 2.5);
+  vector(k, "omega0_rad_per_s", 0.5, 1.5, -1.0);
+  motion m = kit_run(k, "free_rk8pd", 1e-6, 2, t);
+  ROT_CHECK(ran(&m));
+  double first[ROT_MOST_COLUMNS], last[ROT_MOST_COLUMNS], flow[ROT_MOST_FLOWS];
+  double error[ROT_MOST_MEASURES], terms[ROT_MOST_TERMS], explained[ROT_MOST_BALANCES];
+  for (size_t c = 0; c < k->c->n_columns; c++) first[c] = m.column[c][0], last[c] = m.column[c][1];
+  for (size_t f = 0; f < k->c->n_flows; f++) flow[f] = m.flow[f][1] - m.flow[f][0];
+  for (size_t e = 0; e < m.out.info.n_measures; e++) error[e] = reported(&m, e);
+  const rot_span span = {
+      .first = first, .last = last, .flow = flow, .flow_error = m.flow_error, .error = error};
+  (void)rot_run_audit(k->c, k->scene, &span, terms, explained);
+  const double of_l = reported(&m, 2);
+  ROT_CHECK(of_l > 1e-12);
+  for (int b = 1; b < 4; b++) {
+    ROT_CHECK(explained[b] >= 2.0 * of_l && explained[b] <= 2.05 * of_l);
+  }
+  motion_free(&m);
+  kit_free(k);
+}
+
 int main(void) {
   check_damped();
   check_weight();
+  check_explained();
   return rot_test_report("free ledger");
 }

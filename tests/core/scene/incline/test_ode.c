@@ -292,6 +292,16 @@ static void choice(void) {
   ROT_CHECK((c->effects_of(&scene) & ~c->models[1].takes) == 0);
 }
 
+/* The place may leave the range of doubles where the rates do not. */
+static void check_range(void) {
+  static table to;
+  const double t[] = {1.0, 1e160};
+  rot_incline_scene scene = sphere(0.0, 0.5, 0.0, 1e150, 1e150);
+  const rot_status status = run(&scene, 2, t, 1e-9, ROT_METHOD_RK8PD, &to);
+  ROT_CHECK_EQ_INT(status, ROT_ERANGE);
+  rot_events_free(&to.events);
+}
+
 int main(void) {
   constant_forces();
   quadratic_drag();
@@ -302,5 +312,6 @@ int main(void) {
   rows_at_events();
   failures();
   choice();
+  check_range();
   return rot_test_report("incline_ode");
 }

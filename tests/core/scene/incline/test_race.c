@@ -118,8 +118,17 @@ static void as_scenes(void) {
   }
 }
 
+/* A spool with all its inertia at a huge radius stays: friction takes the whole pull. */
+static void infinite_beta(void) {
+  race r;
+  set(&r, 0, (double[]){INFINITY, 0.1, 30, 9.8, 0.6, 0.5, 0, 1});
+  ROT_CHECK(starts(&r, 1) == ROT_OK);
+  ROT_CHECK_REL(r.c[2][0], 0.57735026918962576, 1e-15);
+}
+
 int main(void) {
   book();
   as_scenes();
+  infinite_beta();
   return rot_test_report("incline_race");
 }

@@ -255,7 +255,62 @@ static void check_wheels(void) {
   }
 }
 
+/* The attitude of Euler's angles is the product of three turns; the rates along their axes add. */
+static void check_euler(void) {
+  const double phi = 0.7, theta = 1.9, psi = -2.3, phi_rate = 1.5, theta_rate = -0.5, omega3 = 4.0;
+  const double first[4] = {cos(0.5 * phi), 0.0, 0.0, sin(0.5 * phi)};
+  const double second[4] = {cos(0.5 * theta), sin(0.5 * theta), 0.0, 0.0};
+  const double third[4] = {cos(0.5 * psi), 0.0, 0.0, sin(0.5 * psi)};
+  const double up[3] = {0.0, 0.0, 1.0}, along[3] = {1.0, 0.0, 0.0};
+  double q[4], node[4], vertical[3], line[3];
+  rot_top_start start;
+  rot_attitude_times(first, second, node);
+  rot_attitude_times(node, third, q);
+  rot_top_from_euler(phi, theta, psi, phi_rate, theta_rate, omega3, &start);
+  for (int i = 0; i < 4; i++) ROT_CHECK(fabs(start.q[i].hi - q[i]) <= 4e-16);
+  /* phi' turns about the vertical, theta' about the line of nodes. */
+  rot_attitude_to_space(node, along, line);
+  rot_attitude_to_body(q, line, line);
+  rot_attitude_to_body(q, up, vertical);
+  for (int i = 0; i < 2; i++) {
+    ROT_CHECK(fabs(start.omega[i].hi - phi_rate * vertical[i] - theta_rate * line[i]) <= 2e-15);
+  }
+  ROT_CHECK(start.omega[2].hi == omega3);
+}
+
+/* Released at rest, u'^2 = (u0 - u)(beta (1 - u^2) - a^2 (u0 - u)), so that the zeros are known: of
+ * the complement of the modulus the roundings of u3 - u2 cost as much as those of u3. */
+static void check_loss(void) {
+  const double i1 = 1.0, i3 = 0.5, weight = 2.0, theta = 1.0, omega3 = 5.0;
+  const double u = cos(theta), a = i3 * omega3 / i1, beta = 2.0 * weight / i1;
+  const double root = sqrt(a * a * a * a + 4.0 * beta * (beta - a * a * u));
+  const double low = (a * a - root) / (2.0 * beta), far = (a * a + root) / (2.0 * beta);
+  rot_top_start start;
+  rot_top_motion motion;
+  rot_top_from_euler(0.0, theta, 0.0, 0.0, 0.0, omega3, &start);
+  ROT_CHECK(rot_top_begin(i1, i3, weight, &start, 0.0, &motion) == ROT_OK);
+  ROT_CHECK_REL(rot_top_nutates(&motion).lowest_cosine, low, 1e-14);
+  ROT_CHECK_REL(motion.m1_loss, 32.0 * ROT_DD_EPS * 2.0 * (1.0 + (far - u) / (far - low)), 1e-6);
+}
+
+/* Wheels may turn the top on its axis as fast as their momentum over I1: so much more is the
+ * largest rate, with the same start. */
+static void check_rate(void) {
+  const double i1 = 2.0;
+  rot_top_start start;
+  rot_top_motion with, without;
+  rot_top_from_euler(0.3, 1.1, -0.4, 0.25, 0.5, 2.0, &start);
+  for (int side = -1; side <= 1; side += 2) {
+    const rot_dd h = {1.5 * side, 0.0}, weight = {3.0, 0.0};
+    ROT_CHECK(rot_top_begin(i1, 0.5, 3.0, &start, 0.0, &without) == ROT_OK);
+    ROT_CHECK(rot_top_begin_wheels(i1, 0.5, weight, h, &start, 0.0, &with) == ROT_OK);
+    ROT_CHECK_REL(ldexp(with.rate, with.exponent) - ldexp(without.rate, without.exponent), 0.75,
+                  1e-14);
+  }
+}
+
 int main(void) {
+  check_euler();
   check_wheels();
   check_table();
   check_answers();
@@ -264,5 +319,7 @@ int main(void) {
   check_restart();
   check_scaling();
   check_special();
+  check_loss();
+  check_rate();
   return rot_test_report("top_motion");
 }
