@@ -12,8 +12,8 @@
 #'
 #' A mode is a swing in which all parts pass rest together, of small amplitude and without damping. A
 #' free body wobbles: its angular velocity in its own axes repeats after the time between two flips,
-#' twice. The axis of a top goes around the vertical (precession, by the mean rate) and nods
-#' (nutation).
+#' twice. The axis of a top goes around the vertical (precession, by the mean rate; that of
+#' a vertical top is the slow one beside the vertical) and nods (nutation).
 #'
 #' @param scene A scene of [scene_axle()], [scene_pendulum()], [scene_gears()], [scene_rotors()],
 #'   [scene_drive()] without clutches, [scene_chain()], [scene_hoop()], [scene_free()] or

@@ -35,8 +35,8 @@ judged <- function(x, row) {
   value <- if (!is.null(x)) suppressWarnings(tryCatch(
     eval(parse(text = row$read), list(x = x), asNamespace("rotdyn")), error = function(e) NULL
   ))
-  if (!is.numeric(value) || length(value) != 1L) return("none")
-  right <- is.finite(value) && abs(value - row$expected) <= row$tolerance * abs(row$expected)
+  if (!is.numeric(value) || length(value) != 1L || !is.finite(value)) return("none")
+  right <- abs(value - row$expected) <= row$tolerance * abs(row$expected)
   if (right) "answer" else "other"
 }
 
