@@ -32,6 +32,8 @@
 #' @seealso [audit()] for the impulses along a motion, [hinged_hit()], [collide()].
 #' @concept impulse
 #' @concept change of angular momentum
+#' @concept torque
+#' @concept angular momentum
 #' @examples
 #' # A foot kicks a lazy Susan: 2.50 N at 0.260 m for 0.150 s, a disk of 4.00 kg.
 #' angular_impulse(

@@ -73,6 +73,11 @@
 #' attitude_from(c(0, 0, 0.6, 0.8), "quaternion", order = "xyzw")
 #' attitude_difference(c(qw = 1, qx = 0, qy = 0, qz = 0), q)
 #' attitude_turn(q, c(1, 0, 0))
+#' # Two turns one after the other, the way back, and a third of the way.
+#' quarter <- attitude_from(c(0, 0, 1, pi / 2), "axis_angle")
+#' both <- attitude_compose(quarter, q)
+#' attitude_compose(both, attitude_inverse(both))
+#' attitude_slerp(q, both, fraction = 1 / 3)
 #' @name attitude
 NULL
 

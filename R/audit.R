@@ -15,7 +15,8 @@
 #' angular momentum.
 #'
 #' The changes are taken from the rows as they are now: edit a value, and the audit says so. When
-#' rows were dropped, the balance runs over the rows that are left. Where [choose_model()] left an
+#' rows were dropped, the balance runs over the rows that are left. Of one time alone there is no
+#' change, and a warning (class `rotdyn_warning_time`). Where [choose_model()] left an
 #' effect out, the balance is that of the motion without it.
 #'
 #' Where a law is an R function, work and impulses are those of a second run, which looks at the law
@@ -40,6 +41,8 @@
 #'   [trajectory()].
 #' @concept energy balance
 #' @concept conservation
+#' @concept conservation of energy
+#' @concept conservation of angular momentum
 #' @examples
 #' wheel <- audit(spin_up())
 #' wheel
@@ -60,7 +63,26 @@ audit.default <- function(x, ...) {
 audit.rot_trajectory <- function(x, ...) {
   call <- rlang::current_env()
   check_no_dots(...)
-  new_audit(balances_of(x, check_trajectory(x, "x", call), call))
+  run <- check_trajectory(x, "x", call)
+  audit <- new_audit(balances_of(x, run, call))
+  warn_one_time(x, run, call)
+  audit
+}
+
+# A time alone has no change: its balance is no answer. (A repeated time has one, at a jump.)
+warn_one_time <- function(x, run, call) {
+  keys <- intersect(c("time_s", constraint_of(run$scene)$index), names(x))
+  rows <- unclass(x)[keys]
+  one <- length(rows$time_s) && all(rows$time_s == rows$time_s[1]) &&
+    !anyDuplicated(as.data.frame(rows))
+  times <- sort(c(.subset2(run$scene, "start_s"), rows$time_s[1]))
+  if (!one || times[1] == times[2]) return(invisible())
+  warn_rotdyn(c(
+    "The motion has one time, {format_si(rows$time_s[1])} s: nothing changes from its first row to
+     its last.",
+    i = "Give {.fn trajectory} its start and its end:
+         {.code time_s = c({format_si(times[1])}, {format_si(times[2])})}."
+  ), "time", call)
 }
 
 balances_of <- function(x, run, call) {

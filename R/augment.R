@@ -21,6 +21,7 @@
 #' @seealso [audit()] for the totals, [trajectory()].
 #' @concept work
 #' @concept heat
+#' @concept power
 #' @examples
 #' augment(spin_up(time_s = 0:8))[, c("time_s", "power_w", "work_j", "dissipated_j")]
 #' @aliases augment

@@ -18,6 +18,8 @@
 #' @seealso [polhode()] for the path of the angular velocity in the body, [precession_table()].
 #' @concept precession
 #' @concept nutation
+#' @concept spinning top
+#' @concept path of the axis
 #' @examples
 #' tilted <- attitude_from(c(1, 0, 0, pi / 3), "axis_angle")
 #' wheel <- scene_pivot(

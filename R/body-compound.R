@@ -36,6 +36,9 @@
 #' @seealso [inertia_tensor()], [parallel_axis()] for numbers, [rotation_about()], [body_shapes].
 #' @concept composite body
 #' @concept parallel axis theorem
+#' @concept merry-go-round
+#' @concept parallel axis
+#' @concept dumbbell
 #' @examples
 #' # A dumbbell: a rod along x with a ball at each end.
 #' rod <- body_rod(mass_kg = 0.5, length_m = 1)

@@ -50,6 +50,10 @@
 #' @source Davis and Rabinowitz, Methods of Numerical Integration, 2nd ed. (1984), chapters 2 and 5;
 #'   Efron and Stein, Annals of Statistics 9 (1981) 586, for the jackknife.
 #' @seealso [domains], [body_points()]
+#' @concept custom shape
+#' @concept density
+#' @concept integral
+#' @concept moment of inertia
 #' @examples
 #' # A planet twice as dense at the centre as at the surface.
 #' planet <- body_density(

@@ -70,6 +70,9 @@
 #' @source Tonon, Journal of Mathematics and Statistics 1 (2005) 8; van Oosterom and Strackee, IEEE
 #'   Transactions on Biomedical Engineering 30 (1983) 125, for solid angles.
 #' @seealso [body_points()], [body_density()], [join_bodies()]
+#' @concept CAD
+#' @concept STL
+#' @concept triangle mesh
 #' @examples
 #' # A tetrahedron.
 #' corner <- list(

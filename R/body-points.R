@@ -28,6 +28,10 @@
 #'   precision.
 #' @source Chan, Golub and LeVeque, The American Statistician 37 (1983) 242: sums about a centre.
 #' @seealso [body_density()] for a continuous body, [join_bodies()] for bodies with a size.
+#' @concept point masses
+#' @concept particles
+#' @concept molecule
+#' @concept moment of inertia
 #' @examples
 #' # A water molecule.
 #' u <- 1.66053906660e-27

@@ -191,10 +191,16 @@ abort_shape <- function(fault, names, size, row, call) {
 #' @concept ring
 #' @concept hoop
 #' @concept rod
+#' @concept ball
+#' @concept cylinder
+#' @concept sphere
+#' @concept bowling ball
+#' @concept beam
 #' @examples
 #' body_hoop(mass_kg = 2, radius_m = 0.25)
 #' body_rod(mass_kg = 1.5, length_m = 2)$inertia_kg_m2
 #' body_rod(length_m = 2, linear_density_kg_m = 0.75)
+#' body_half_hoop(mass_kg = 2, radius_m = 0.25)$centre_m # an arch: 2 r/pi above its ends
 #' @name body_shapes
 NULL
 
@@ -256,10 +262,19 @@ body_half_hoop <- function(mass_kg, radius_m, ..., linear_density_kg_m = NULL) {
 #' @concept annulus
 #' @concept wheel
 #' @concept flywheel
+#' @concept merry-go-round
+#' @concept door
+#' @concept moment of inertia
 #' @examples
 #' body_disk(mass_kg = 2, radius_m = 0.25)
 #' body_annulus(outer_radius_m = 0.3, inner_radius_m = 0.1, areal_density_kg_m2 = 20)
 #' body_triangle(mass_kg = 1, base_m = 3, height_m = 4, apex_m = 0) # right-angled
+#' # A door of 0.9 m about its hinges, along its height, here y.
+#' door <- body_rectangle(mass_kg = 25, length_m = 0.9, width_m = 2)
+#' moment_of_inertia(door, axis = "y", through = c(-0.45, 0, 0))
+#' body_half_disk(mass_kg = 1, radius_m = 0.3)$centre_m
+#' body_elliptic_plate(mass_kg = 1, semi_x_m = 0.3, semi_y_m = 0.2)
+#' body_polygon_plate(mass_kg = 1, radius_m = 0.3, sides = 5)
 #' @name body_plates
 NULL
 
@@ -327,10 +342,22 @@ body_polygon_plate <- function(mass_kg, radius_m, sides, ..., areal_density_kg_m
 #' @inherit body_shapes return source
 #' @inheritSection body_shapes Errors
 #' @seealso [shapes()], [body_shapes], [join_bodies()], [cut_body()].
+#' @concept hollow
+#' @concept shell
+#' @concept can
+#' @concept tube
+#' @concept moment of inertia
 #' @examples
 #' body_spherical_shell(mass_kg = 1, radius_m = 0.1)
 #' body_can(radius_m = 0.033, length_m = 0.115, areal_density_kg_m2 = 0.6)
 #' body_spherical_cap_shell(mass_kg = 1, radius_m = 2, height_m = 0.5)
+#' body_tube(mass_kg = 1, radius_m = 0.1, length_m = 0.5)
+#' body_hemispherical_shell(mass_kg = 0.3, radius_m = 0.1)$centre_m # a bowl
+#' body_cone_shell(mass_kg = 0.1, radius_m = 0.1, height_m = 0.3)$centre_m
+#' body_frustum_shell(mass_kg = 0.1, base_radius_m = 0.1, top_radius_m = 0.05, height_m = 0.3)
+#' body_torus_shell(mass_kg = 0.2, ring_radius_m = 0.3, tube_radius_m = 0.02)
+#' body_ellipsoid_shell(mass_kg = 0.4, semi_x_m = 0.14, semi_y_m = 0.085, semi_z_m = 0.085)
+#' body_box_shell(mass_kg = 0.5, length_m = 0.3, width_m = 0.2, height_m = 0.1)
 #' @name body_shells
 NULL
 
@@ -428,6 +455,16 @@ body_box_shell <- function(mass_kg, length_m, width_m, height_m, ..., areal_dens
 #' body_cylinder(radius_m = 0.05, length_m = 0.3, density_kg_m3 = 7850)
 #' body_hollow_sphere(mass_kg = 1, outer_radius_m = 0.1, inner_radius_m = 0.0999)$beta
 #' body_cone(mass_kg = 1, radius_m = 0.1, height_m = 0.4)$centre_m
+#' # Where the centres of mass are, over the base: 3/8, 1/4, 1/3 of the height.
+#' body_hemisphere(mass_kg = 1, radius_m = 0.1)$centre_m
+#' body_paraboloid(mass_kg = 1, radius_m = 0.1, height_m = 0.4)$centre_m
+#' body_frustum(mass_kg = 1, base_radius_m = 0.1, top_radius_m = 0.05, height_m = 0.4)$centre_m
+#' body_spherical_cap(mass_kg = 1, radius_m = 0.1, height_m = 0.05)
+#' body_ellipsoid(mass_kg = 0.4, semi_x_m = 0.14, semi_y_m = 0.085, semi_z_m = 0.085) # rugby
+#' body_capsule(mass_kg = 0.001, radius_m = 0.003, length_m = 0.01)
+#' body_torus(mass_kg = 1.2, ring_radius_m = 0.3, tube_radius_m = 0.02) # a tyre
+#' body_half_cylinder(mass_kg = 2, radius_m = 0.1, length_m = 0.5)
+#' body_elliptic_cylinder(mass_kg = 2, semi_x_m = 0.1, semi_y_m = 0.05, length_m = 0.5)
 #' @name body_round_solids
 NULL
 
@@ -537,10 +574,20 @@ body_capsule <- function(mass_kg, radius_m, length_m, ..., density_kg_m3 = NULL)
 #' @inherit body_shapes return source
 #' @inheritSection body_shapes Errors
 #' @seealso [shapes()], [body_shapes], [join_bodies()], [cut_body()].
+#' @concept box
+#' @concept cube
+#' @concept prism
+#' @concept pyramid
+#' @concept moment of inertia
 #' @examples
 #' body_box(mass_kg = 2, length_m = 0.3, width_m = 0.2, height_m = 0.1)
 #' body_cube(edge_m = 0.1, density_kg_m3 = 1000)
 #' body_polygon_prism(radius_m = 0.008, sides = 6, length_m = 0.013, density_kg_m3 = 7850)
+#' body_triangular_prism(mass_kg = 1, base_m = 0.1, height_m = 0.1, length_m = 0.3)
+#' body_pyramid(mass_kg = 6e9, length_m = 230, width_m = 230, height_m = 147)$centre_m
+#' # The moments of the regular solids are equal about every axis.
+#' body_regular_tetrahedron(mass_kg = 1, edge_m = 0.1)
+#' body_regular_octahedron(mass_kg = 1, edge_m = 0.1)
 #' @name body_flat_faced_solids
 NULL
 

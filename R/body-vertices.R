@@ -27,6 +27,9 @@
 #'   (1996); Tonon, Journal of Mathematics and Statistics 1 (2005) 8.
 #' @seealso [body_triangle()] by base and height, [body_polygon_plate()] and
 #'   [body_regular_tetrahedron()] for the regular ones; [cut_body()] for holes.
+#' @concept polygon
+#' @concept outline
+#' @concept convex hull
 #' @examples
 #' # An L of sheet metal.
 #' ell <- cbind(c(0, 2, 2, 1, 1, 0), c(0, 0, 1, 1, 2, 2))

@@ -82,6 +82,10 @@ asymmetry_allowed <- 1e-12
 #' @source Wensing, Kim and Slotine, IEEE Robotics and Automation Letters 3 (2018) 60; Traversaro,
 #'   Brossette, Escande and Nori, IROS (2016) 5516.
 #' @seealso [read_links()] checks a robot description.
+#' @concept valid tensor
+#' @concept triangle inequality
+#' @concept positive definite
+#' @concept URDF
 #' @examples
 #' # A link of a robot; the decimal point of izz is missing.
 #' link <- c(ixx = 0.0123, iyy = 0.0145, izz = 213, ixy = 0, ixz = 0, iyz = 0)

@@ -80,6 +80,9 @@ abort_dots <- function(given, call, fn) {
   said[named] <- paste(names(given)[named], "=", said[named])
   known <- setdiff(names(formals(fn)), "...")
   near <- near_names(names(given)[named], known)
+  lacks <- setdiff(Filter(function(name) {
+    eval(call("missing", as.name(name)), call)
+  }, intersect(required_arguments(fn), names(missing_hints))), near)
   abort_rotdyn(c(
     if (all(named)) {
       "{length(said)} unknown argument{?s}."
@@ -89,6 +92,8 @@ abort_dots <- function(given, call, fn) {
     x = "Unknown: {.code {said}}.",
     i = if (length(near)) "Did you mean {.arg {near}}?",
     unit_hints(names(given)[named], angles = !any(endsWith(near, "_deg"))),
+    elsewhere_hints(rlang::call_name(rlang::frame_call(call)), names(given)[named]),
+    i = if (length(lacks)) paste("{.arg {lacks[1]}} is missing.", missing_hints[[lacks[1]]]),
     i = "The arguments are {.arg {known}}."
   ), "argument", call)
 }
@@ -105,7 +110,7 @@ check_supplied <- function(names, env) {
       }
       abort_rotdyn(c(
         "{.arg {name}} is missing: it has no default.",
-        i = if (name == "axis") "Give {.or {.val {c('x', 'y', 'z')}}}, or three numbers."
+        i = if (name %in% names(missing_hints)) missing_hints[[name]]
       ), "missing", env)
     }
   }

@@ -23,6 +23,8 @@
 #'   `rotdyn_error_unit`.
 #' @seealso [scene_clutch()] for the motion itself.
 #' @source Shigley, Mechanical Engineering Design, 7th ed. (2004), section 16-6.
+#' @concept clutch
+#' @concept inelastic collision of disks
 #' @examples
 #' clutch_engagement(
 #'   body_disk(4, 1), 3, capacity_n_m = c(6, 12, Inf), omega_1_rad_per_s = 10

@@ -18,6 +18,9 @@
 #'   `energy_j` where the inertia is known; without it `energy_over_inertia`, in (rad/s)^2.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_value`.
 #' @seealso [fit_coast_down()], [retarding_torque()].
+#' @concept losses
+#' @concept where the energy goes
+#' @concept bearing
 #' @examples
 #' time_s <- 0:80 / 10
 #' samples <- data.frame(time_s, omega_rad_per_s = 21 * exp(-0.1 * time_s) - 1)
@@ -132,6 +135,9 @@ gauss_rule <- function() {
 #'   Without an inertia `deceleration_rad_per_s2` takes the place of the torque.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_value`.
 #' @seealso [fit_coast_down()], [loss_budget()].
+#' @concept friction torque
+#' @concept braking torque
+#' @concept deceleration
 #' @examples
 #' samples <- data.frame(time_s = 0:40 / 10, omega_rad_per_s = 10 - 0.5 * 0:40 / 10)
 #' retarding_torque(fit_coast_down(samples, losses = "coulomb"), c(8, 9))
@@ -181,6 +187,8 @@ speed_range <- function(fit) {
 #' @section Errors: `rotdyn_error_type`.
 #' @source Hurvich and Tsai, Biometrika 76, 297 (1989).
 #' @seealso [fit_coast_down()].
+#' @concept friction law
+#' @concept model selection
 #' @examples
 #' time_s <- 0:80 / 10
 #' set.seed(3)
@@ -239,6 +247,9 @@ compare_laws <- function(fit, ...) {
 #'   `r describe_columns(c("run", "test", "statistic", "p_value", "finding"))`
 #' @section Errors: `rotdyn_error_type`.
 #' @seealso [fit_coast_down()].
+#' @concept autocorrelation
+#' @concept white noise
+#' @concept goodness of fit
 #' @examples
 #' samples <- data.frame(time_s = 0:40 / 10, omega_rad_per_s = 10 - 0.5 * 0:40 / 10)
 #' residual_tests(fit_coast_down(samples, losses = "coulomb"))

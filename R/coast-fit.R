@@ -127,6 +127,8 @@ check_losses <- function(losses, call) {
 #' @section Errors: `rotdyn_error_value`, `rotdyn_error_type`, `rotdyn_error_missing`.
 #' @seealso [scene_hanging_mass()] for the motion.
 #' @concept flywheel
+#' @concept pulley
+#' @concept moment of inertia by experiment
 #' @examples
 #' falling_weight(mass_kg = 0.5, radius_m = 0.02)
 #' @export

@@ -148,6 +148,8 @@ band <- function(derivative, spread) {
 #'   `glance()`: one row for the fit.
 #' @section Errors: `rotdyn_error_time`, `rotdyn_error_value`, `rotdyn_error_type`.
 #' @seealso [fit_coast_down()], [as_scene()].
+#' @concept extrapolate
+#' @concept other times
 #' @examples
 #' samples <- data.frame(time_s = 0:40 / 10, omega_rad_per_s = 10 - 0.5 * 0:40 / 10)
 #' set.seed(2)
@@ -283,6 +285,8 @@ runout_p <- function(run) {
 #'   fitted; angles are from the centre, without the sensor's offset.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_value`.
 #' @seealso [fit_coast_down()], [fit_swing()].
+#' @concept fitted scene
+#' @concept from a fit to a scene
 #' @examples
 #' samples <- data.frame(time_s = 0:40 / 10, omega_rad_per_s = 10 - 0.5 * 0:40 / 10)
 #' scene <- as_scene(fit_coast_down(samples, inertia = 0.02, losses = "coulomb"))

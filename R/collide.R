@@ -59,6 +59,8 @@
 #'   hinge, [conserved()].
 #' @concept collision
 #' @concept restitution
+#' @concept billiards
+#' @concept hockey puck
 #' @examples
 #' # A rod falls on the floor, inclined by 30 degrees.
 #' rod <- body_rod(1, 1)

@@ -73,6 +73,14 @@ warn_quickly <- function(message, kind, call) {
   warning(structure(class = class, list(message = text, call = rlang::error_call(call))))
 }
 
+# A message of plain text, in as little.
+inform_quickly <- function(message, kind) {
+  bullets <- c("", rep(paste0(cli::symbol$info, " "), length(message) - 1L))
+  class <- c(paste0("rotdyn_message_", kind), "rotdyn_message", "message", "condition")
+  text <- paste0(bullets, message, "\n", collapse = "")
+  message(structure(class = class, list(message = text, call = NULL)))
+}
+
 need_package <- function(package, why, call) {
   if (!requireNamespace(package, quietly = TRUE)) {
     abort_rotdyn(c(

@@ -23,11 +23,12 @@
 #' @seealso [audit()], [collision_ledger()].
 #' @concept conservation
 #' @concept conservation of angular momentum
+#' @concept conservation of energy
 #' @examples
 #' # A skater pulls in her arms: angular momentum stays, energy does not.
 #' conserved(scene_axle(inertia_knots(c(0, 2), c(4, 1.2)), omega0_rad_per_s = 3))
 #' # A clutch: the heat goes out of the energy, the torques are internal.
-#' conserved(scene_clutch(2, 3, capacity_n_m = 12, omega1_rad_per_s = 10))
+#' conserved(scene_clutch(2, 3, capacity_n_m = 12, omega0_rad_per_s = c(10, 0)))
 #' # A ball on a floor, about the contact and about its centre.
 #' bounce <- ball_bounce(body_sphere(0.06, 0.033), 20, -5, -300, 0.75, friction = 0.5)
 #' conserved(bounce)

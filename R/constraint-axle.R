@@ -8,9 +8,11 @@ axle_constraint <- function() {
       scene_gears = gears_maker()
     ),
     title = function(run) {
-      body <- .subset2(run$scene, "body")
-      shape <- if (inherits(body, "rot_body")) body$shape else "body"
-      paste(sentence(with_article(shape)), "on a fixed axle")
+      paste0(
+        sentence(scene_body(run$scene)),
+        if (!is.null(changing_inertia(run$scene))) " whose moment of inertia changes,",
+        " on a fixed axle"
+      )
     },
     torque = given_torque,
     resistance = given_resistance,
@@ -46,7 +48,7 @@ axle_constraint <- function() {
     augment = augment_axle,
     panels = list(
       panel("angle (rad)", c(theta_rad = "")),
-      panel("angular velocity (rad/s)", c(omega_rad_per_s = "")),
+      omega_panel(),
       panel("moment of inertia (kg m^2)", c(moment_of_inertia_kg_m2 = "")),
       panel(
         "angular momentum (kg m^2/s)", c(angular_momentum_kg_m2_per_s = ""),
@@ -151,6 +153,7 @@ axle_words <- function() {
 # Of a pendulum: what it changes in the record.
 pendulum_maker <- function() {
   list(
+    title = function(run) paste("A pendulum:", scene_body(run$scene), "on a fixed axle"),
     torque = function(scene) {
       gravity <- gravity_law(
         scene$body$mass_kg, scene$distance_m, scene$gravity_m_per_s2, 0, NULL

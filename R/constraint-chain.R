@@ -17,13 +17,14 @@ chain_constraint <- function() {
     ),
     title = function(run) {
       n <- length(run$scene$length_m)
-      what <- if (run$scene$links == "rods") "rod" else "pendulum"
-      if (n == 1L) return(paste("A", what))
-      paste0(if (n == 2L) "Two" else n, " ", what, "s in a chain")
+      what <- if (run$scene$links == "rods") "rod" else "point mass"
+      if (n == 1L) return(paste0("A pendulum: a ", what))
+      many <- paste0(if (n == 2L) "two" else n, " ", what, if (what == "rod") "s" else "es")
+      paste0(if (n == 2L) "A double pendulum: " else "A chain of ", many)
     },
     panels = list(
       panel("angle from the vertical (rad)", c(theta_rad = "")),
-      panel("angular velocity (rad/s)", c(omega_rad_per_s = "")),
+      omega_panel(),
       panel("height of the lower end (m)", c(y_m = ""))
     ),
     drawing = draw_chain, frames = chain_frames,

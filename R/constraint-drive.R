@@ -3,7 +3,10 @@ drive_constraint <- function() {
   table_constraint(
     "drive",
     models = drive_words(),
-    title = function(run) "A drive",
+    title = function(run) {
+      n <- length(run$scene$moment_of_inertia_kg_m2)
+      paste0("A drive of ", n, " rotor", if (n != 1L) "s")
+    },
     keys = c(
       "time_s", "rotor", "theta_rad", "omega_rad_per_s", "coupling_torque_n_m", "heat_j",
       "coupling_heat_j"
@@ -12,14 +15,7 @@ drive_constraint <- function() {
       c(.Call(ffi_scene_pace, "drive", scene, as.double(sizes)), list(drifts = TRUE))
     },
     periods = drive_periods,
-    stops = function(scene, call) {
-      held <- c("friction", "brake") %in% core_effects("drive", scene)
-      if (!any(held)) abort_never_rests(scene, call)
-      found <- rest_of_motion(scene, "omega_rad_per_s", call) %||% abort_no_stop(call)
-      as_table(
-        rotor = found$row$rotor, stop_time_s = found$time_s, stop_theta_rad = found$row$theta_rad
-      )
-    },
+    stops = stops_at_rest(stop_theta_rad = "theta_rad"),
     summary = function(x, run) {
       whole <- function(column) {
         if (!is.null(x[[column]])) rowsum(x[[column]], as.character(x$time_s))
@@ -40,7 +36,7 @@ drive_constraint <- function() {
     frames = shafting_frames_long(draw_drive),
     augment = augment_drive,
     panels = list(
-      panel("angular velocity (rad/s)", c(omega_rad_per_s = "")),
+      omega_panel(),
       panel("coupling torque (N m)", c(coupling_torque_n_m = "")),
       panel("heat of the rotor (J)", c(heat_j = "")),
       panel("coupling heat (J)", c(coupling_heat_j = ""))
@@ -177,8 +173,8 @@ read_drive <- function(bodies, couplings = list(), torque = NULL, resistance = N
   )
 }
 
-# Rotors joined by gears turn as one. With the product P of all ratios before a rotor, inertias to the
-# first shaft are J/P^2 and springs k/P^2.
+# Rotors joined by gears turn as one. With the product P of all ratios before a rotor, inertias to
+# the first shaft are J/P^2 and springs k/P^2.
 drive_periods <- function(scene, call) {
   kind <- coupling_kinds(scene)
   if ("clutch" %in% kind) {

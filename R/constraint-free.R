@@ -2,7 +2,9 @@
 free_constraint <- function() {
   table_constraint(
     "free", free_models("free"),
-    title = function(run) "A free body",
+    title = function(run) {
+      paste("A free", sub("^an? ", "", scene_body(run$scene)))
+    },
     quick = TRUE,
     keys = c("time_s", quaternion_columns, free_rates("")),
     bodies = rep("body", 3), # one for each principal moment

@@ -11,20 +11,11 @@ hoop_constraint <- function() {
       paste("A bead on a hoop that turns at", format_si(run$scene$hoop_omega_rad_per_s), "rad/s")
     },
     panels = list(
-      panel("angle from the lowest point (rad)", c(theta_rad = "")),
-      panel("angular velocity (rad/s)", c(omega_rad_per_s = "")),
+      panel("angle from the lowest point (rad)", c(theta_rad = "")), omega_panel(),
       panel("energy (J)", c(kinetic_energy_j = "kinetic", potential_energy_j = "potential"))
     ),
-    drawing = draw_hoop, frames = hoop_frames,
-    stops = function(scene, call) {
-      if (!scene$static_friction) abort_never_rests(scene, call)
-      found <- rest_of_motion(scene, "omega_rad_per_s", call) %||% abort_no_stop(call)
-      as_table(stop_time_s = found$time_s, stop_theta_rad = found$row$theta_rad)
-    },
-    periods = function(scene, call) {
-      rests <- hoop_equilibria(scene)
-      list(period_s = 2 * pi / rests$swing_rad_per_s[rests$stable], kind = "small swing")
-    }
+    drawing = draw_hoop, frames = hoop_frames, stops = stops_at_rest(stop_theta_rad = "theta_rad"),
+    periods = function(scene, call) small_swings(hoop_equilibria(scene))
   )
 }
 

@@ -23,7 +23,11 @@ incline_constraint <- function() {
       )
     ),
     title = function(run) {
-      paste("A body on an incline of", format_si(run$scene$incline_angle_deg), "degrees")
+      angle <- run$scene$incline_angle_deg
+      paste(
+        sentence(scene_body(run$scene)), if (angle == 0) "on a level plane" else
+          paste("on an incline of", format_si(angle), "degrees")
+      )
     },
     quick = TRUE,
     keys = c(
@@ -73,7 +77,7 @@ incline_constraint <- function() {
     augment = augment_incline,
     panels = list(
       panel("velocity (m/s)", c(v_m_per_s = "centre", slip_speed_m_per_s = "slip")),
-      panel("angular velocity (rad/s)", c(omega_rad_per_s = "")),
+      omega_panel(),
       panel("friction (N)", c(friction_force_n = "")),
       panel("energy (J)", c(
         translational_kinetic_energy_j = "translation", rotational_kinetic_energy_j = "rotation",

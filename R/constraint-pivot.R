@@ -2,7 +2,7 @@
 pivot_constraint <- function() {
   table_constraint(
     "pivot", c(pivot_words(), free_models("pivot")),
-    title = function(run) "A body with a fixed point",
+    title = function(run) pivot_title(run$scene),
     quick = TRUE,
     keys = c("time_s", quaternion_columns, free_rates("")),
     bodies = rep("body", 3), # one for each principal moment
@@ -115,8 +115,13 @@ pivot_periods <- function(scene, call) {
       "its turning points."
     ))
   }
+  turn <- 2 * pi * nutation[1] / abs(nutation[4])
+  # A vertical top: the slow steady turn beside the vertical.
+  if (!is.finite(turn) && any(scene$omega0_rad_per_s != 0)) {
+    turn <- 2 * pi / abs(precession_table(scene)$slow_precession_rad_per_s)
+  }
   list(
-    period_s = c(2 * pi * nutation[1] / abs(nutation[4]), nutation[1]),
+    period_s = c(turn, nutation[1]),
     kind = c("precession", "nutation"),
     amplitude_rad = c(NaN, abs(diff(acos(pmax(-1, pmin(1, nutation[2:3]))))) / 2)
   )

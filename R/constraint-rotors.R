@@ -24,7 +24,10 @@ rotors_constraint <- function() {
       )
     ),
     form = form_of_rotors(),
-    title = function(run) "Rotors on one shaft",
+    title = function(run) {
+      n <- length(run$scene$moment_of_inertia_kg_m2)
+      paste0(n, " rotor", if (n != 1L) "s", " on one shaft")
+    },
     keys = c("time_s", "rotor", "theta_rad", "omega_rad_per_s", "shaft_torque_n_m"),
     pace = rotors_pace,
     periods = function(scene, call) periods_of_modes(shaft_modes(scene)$natural_rad_per_s),
@@ -54,7 +57,7 @@ rotors_constraint <- function() {
     }, scene_rotors)),
     augment = augment_rotors,
     panels = list(
-      panel("angular velocity (rad/s)", c(omega_rad_per_s = "")),
+      omega_panel(),
       panel("torque of the shaft behind it (N m)", c(shaft_torque_n_m = ""))
     )
   )

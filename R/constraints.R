@@ -6,7 +6,7 @@
 #   scene_class   class of its scenes
 #   form          of its scenes, see R/form.R; NULL: not checked
 #   fault(scene)  NULL, or the part that does not fit the others, of a scene with that form
-#   title(run)    title of the picture
+#   title(run)    title of the picture, and of prints: what the user described
 #   models        records of models, see R/model.R
 #   effects       what a scene may contain: words by name. Names belong to the constraint.
 #   effects_of(scene)            those of a scene, by name
@@ -30,6 +30,7 @@
 #   pace(scene, sizes, model)    NULL, or list(breaks_s, fades_s, swing_rad_per_s, drifts): times of
 #                 kinks, the shortest time in which a transient fades (Inf: none), the fastest
 #                 swing, whether the motion goes on beyond its swings
+#   periods(scene, call)         NULL, or the columns of period_of(), recycled to its rows
 #   call_laws(scene, call)       NULL, or NULL where a scene has no R functions, else a function
 #                 that calls each once with the state of the start: for what a run costs
 #   more_events(x, run, call)    NULL, or events that motion_events() looks for: list(time_s, event)

@@ -72,6 +72,11 @@
 #' summary(roll_on_curve(function(x) -2 * x / pi, 0, pi, body = 0))$time_s
 #' # A ball off a sphere of 1 m: at cos = 2/(3 + beta) from the top.
 #' summary(roll_on_curve(function(x) sqrt(1 - x^2), 1e-3, 0.9, body = 2 / 5))[c("event", "x_m")]
+#' # A hill with its slope, and a track measured at five places.
+#' hill <- curve_function(function(x) cos(x), slope = function(x) -sin(x))
+#' summary(roll_on_curve(hill, 0.1, 3))
+#' track <- curve_table(x_m = 0:4, y_m = c(2, 1.1, 0.6, 0.8, 0.4))
+#' summary(roll_on_curve(track, 0, 4))
 #' @export
 roll_on_curve <- function(curve, from, to, body = 2 / 5, v0_m_per_s = 0, ..., friction = Inf,
                           rows = 101, gravity_m_per_s2 = 9.80665, finest = 1e-3,
@@ -168,7 +173,8 @@ curve_circle <- function(radius_m, ...) {
   a <- check_number(radius_m, "radius_m", "m", call, lower = 0, open = TRUE)
   new_curve(
     function(u) a * sin(u), function(u) 2 * a * sin(u / 2)^2, function(u) a * cos(u),
-    function(u) a * sin(u), function(u) -a * sin(u), function(u) a * cos(u), "circle"
+    function(u) a * sin(u), function(u) -a * sin(u), function(u) a * cos(u),
+    paste("circle of radius", format_si(a), "m")
   )
 }
 
@@ -181,7 +187,7 @@ curve_cycloid <- function(radius_m, ...) {
   new_curve(
     function(u) a * (u - sin(u)), function(u) -2 * a * sin(u / 2)^2,
     function(u) 2 * a * sin(u / 2)^2, function(u) -a * sin(u), function(u) a * sin(u),
-    function(u) -a * cos(u), "cycloid"
+    function(u) -a * cos(u), paste("cycloid of radius", format_si(a), "m")
   )
 }
 
@@ -205,7 +211,8 @@ tbl_sum.rot_curve_motion <- function(x, ...) {
     return(c("Motion along a curve" = "damaged"))
   }
   c(
-    "Motion along a curve" = paste0(
+    "Motion along a curve" = run$along,
+    "End" = paste0(
       run$last$event, " after ", format_si(signif(run$last$time_s, 4)), " s; least push ",
       format_si(signif(run$least_normal, 4)), " N, friction needed ",
       format_si(signif(run$needed, 4))
@@ -221,7 +228,7 @@ tbl_sum.rot_curve_motion <- function(x, ...) {
 
 #' @export
 print.rot_curve <- function(x, ...) {
-  cat("<curve> ", if (is.list(x) && is.character(x$kind)) x$kind[1], "\n", sep = "")
+  cat("<rot_curve> ", if (is.list(x) && is.character(x$kind)) x$kind[1], "\n", sep = "")
   invisible(x)
 }
 
@@ -246,6 +253,10 @@ print.rot_curve <- function(x, ...) {
 #'   `rotdyn_error_missing`, `rotdyn_error_argument`.
 #' @source Kleppner and Kolenkow, An Introduction to Mechanics, 2nd ed. (2014), chapter 7.
 #' @seealso [roll_on_curve()] for the whole motion.
+#' @concept loop the loop
+#' @concept roller coaster
+#' @concept hill
+#' @concept track
 #' @examples
 #' # A ball in a loop of 0.5 m: 2.7 times the radius of its centre's circle.
 #' loop_start_height(body_sphere(0.1, 0.02), 0.5 - 0.02)
@@ -890,7 +901,7 @@ new_curve_motion <- function(run, end, u, call) {
   run <- list(
     last = last, least_normal = limits$normal, needed = limits$needed,
     error = if (total > 0) sums$error / total + 1e-15 else NaN, shape = cbind(at$x, at$y),
-    finest = run$seen$finest
+    finest = run$seen$finest, along = run$curve$kind
   )
   new_table(columns, nrow = length(u), run = run, class = "rot_curve_motion")
 }

@@ -26,10 +26,13 @@
 #'   `rotdyn_error_value` (NA, NaN, Inf, an empty domain), `rotdyn_error_unit`;
 #'   `rotdyn_error_density` for a map that returns no points, or a wrong Jacobian.
 #' @seealso [body_density()]
+#' @concept region
+#' @concept integration domain
 #' @examples
 #' domain_box(lower_m = c(0, 0, 0), upper_m = c(1, 2, 3))
 #' domain_cylinder(radius_m = 0.5, length_m = 2, inner_radius_m = 0.4)
 #' domain_ball(radius_m = 6.371e6)
+#' domain_ellipsoid(semi_x_m = 3, semi_y_m = 2, semi_z_m = 1)
 #'
 #' # A torus, radii 2 and 0.5, by its map ...
 #' domain_map(

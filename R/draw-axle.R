@@ -66,7 +66,7 @@ draw_hanging <- function(scene, down = NULL) {
   draw_resistance(d, axle_resistance(scene), look$reach)
   out <- d$done(c(-1.5, 1.5, -1.75, 1.25), if (is.na(look$unit)) "not to scale" else
     "the pulley to scale")
-  out$title <- if (both) "Two masses on a pulley" else "A mass on a pulley"
+  out$title <- sentence(hanging_title(scene))
   out
 }
 

@@ -18,6 +18,8 @@
 #' ball <- body_sphere(0.06, 0.033)
 #' ggplot2::autoplot(ball_bounce(ball, 20, -5, -300, restitution = 0.75, friction = 0.5))
 #' @exportS3Method ggplot2::autoplot
+#' @concept plot
+#' @concept drawing of a collision
 autoplot.rot_collision <- function(object, ..., row = 1, base_size = 13) {
   call <- check_plot(base_size, ...)
   collision <- check_collision(object, call)

@@ -12,6 +12,10 @@
 #'   `rotdyn_error_type`, `rotdyn_error_value`.
 #' @seealso [static_equilibrium()].
 #' @concept free body diagram
+#' @concept plot
+#' @concept free-body diagram
+#' @concept ladder
+#' @concept seesaw
 #' @examplesIf requireNamespace("ggplot2", quietly = TRUE)
 #' ggplot2::autoplot(static_equilibrium(
 #'   forces(load_weight(20, c(2, 0), name = "beam"), load_weight(50, c(1, 0), name = "box")),

@@ -46,9 +46,12 @@ draw_fills <- c(body = "grey88", hole = "white", shaft = "grey60", fixed = "grey
 #' wheel <- scene_axle(body_disk(2, 0.25), 0.8, resistance(0.03, coulomb_n_m = 0.1))
 #' ggplot2::autoplot(wheel)
 #' ggplot2::autoplot(scene_pendulum(body_rod(0.1, 1), 0.5, theta0_rad = pi / 3))
-#' ggplot2::autoplot(scene_clutch(2, 3, capacity_n_m = 12, omega1_rad_per_s = 10))
-#' ggplot2::autoplot(scene_gears(c(0.01, 0.5, 2), ratios = c(5, -3), torque_n_m = c(2, 0, -4)))
+#' ggplot2::autoplot(scene_clutch(2, 3, capacity_n_m = 12, omega0_rad_per_s = c(10, 0)))
+#' ggplot2::autoplot(scene_gears(c(0.01, 0.5, 2), ratios = c(5, -3), torque = c(2, 0, -4)))
 #' @exportS3Method ggplot2::autoplot
+#' @concept plot
+#' @concept drawing of a scene
+#' @concept free-body diagram
 autoplot.rot_scene <- function(object, ..., base_size = 13) {
   call <- check_plot(base_size, ...)
   check_scene(object, call)

@@ -54,6 +54,8 @@ check_estimate <- function(x, arg, call) {
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_time` for infinite times,
 #'   `rotdyn_error_value` for segments that overlap or are not there.
 #' @seealso [estimate_motion()].
+#' @concept interpolate
+#' @concept other times
 #' @examples
 #' time <- seq(0, 2, by = 0.05)
 #' samples <- data.frame(time_s = time, theta_rad = 3 * time^2 + sin(40 * time) / 99)
@@ -222,6 +224,7 @@ estimate_residuals <- function(fit) {
 #' @export
 energy_loss <- function(estimate, from_s, to_s, ..., draws = 200, seed = 1) {
   call <- check_no_dots(...)
+  if (!missing(estimate)) check_no_losses(estimate, call)
   check_supplied(c("estimate", "from_s", "to_s"), call)
   fit <- check_estimate(estimate, "estimate", call)
   if (is.null(fit$asked$inertia)) {
@@ -276,6 +279,20 @@ energy_loss <- function(estimate, from_s, to_s, ..., draws = 200, seed = 1) {
     from_s = as.double(from_s), to_s = as.double(to_s), energy_loss_j = loss,
     energy_loss_se_j = se, energy_loss_low_j = low, energy_loss_high_j = high
   ), nrow = n)
+}
+
+# A table that has the answer.
+check_no_losses <- function(x, call) {
+  known <- if (is.data.frame(x) && !inherits(x, "rot_estimate")) {
+    grep("(_loss|dissipated)_j$", names(x), value = TRUE)
+  }
+  if (length(known)) {
+    abort_rotdyn(c(
+      "{.arg estimate} must be what {.fn estimate_motion} returned: a measured motion.",
+      x = "It is {describe_value(x)}.",
+      i = "What it lost is its column {.field {known}}."
+    ), "type", call)
+  }
 }
 
 #' @export

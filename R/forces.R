@@ -52,6 +52,9 @@
 #' @concept torque
 #' @concept wrench
 #' @concept couple
+#' @concept seesaw
+#' @concept lever
+#' @concept weight
 #' @examples
 #' pull <- forces(
 #'   load_force(c(40, 0), at_m = c(0, 0.3)),
@@ -62,6 +65,9 @@
 #' force_torques(pull)
 #' resultant(pull)
 #' resultant(pull, about_m = c(0.25, 0.3))
+#' # Sand along 2 m of a beam acts at the middle of what it covers.
+#' sand <- forces(load_line(150, from_m = c(1, 0), to_m = c(3, 0)))
+#' force_torques(sand)
 #' # In space: a force and a couple along it are a wrench.
 #' resultant(data.frame(
 #'   x_m = c(0, 1), y_m = 0, z_m = c(0, 2), fx_n = c(0, 3), fy_n = c(4, 0), fz_n = 0

@@ -143,7 +143,7 @@ curve_form <- list(
 
 curve_run_form <- list(
   last = "list", least_normal = "values:1", needed = "values:1", error = "values:1",
-  shape = "values", finest = "values:1"
+  shape = "values", finest = "values:1", along = "text"
 )
 
 # `what`: the object in words.

@@ -45,6 +45,8 @@
 #' @concept Coriolis
 #' @concept Foucault
 #' @concept rotating frame
+#' @concept falling east
+#' @concept Foucault pendulum
 #' @examples
 #' # Dropped from 100 m at 45 degrees: how far to the east, and what the formula lacks of it.
 #' earth_drop(height_m = 100, latitude_deg = 45)
@@ -188,6 +190,8 @@ frame_columns <- function(columns, call) {
 #' @seealso [earth_projectile()], [point_motion()].
 #' @concept Coriolis
 #' @concept centrifugal
+#' @concept merry-go-round
+#' @concept centrifugal force
 #' @examples
 #' # A puck that slides straight over a carousel, as its riders see it:
 #' puck <- data.frame(time_s = 0:4, x_m = 0:4 - 2, y_m = 1, vx_m_per_s = 1, vy_m_per_s = 0)

@@ -80,6 +80,8 @@ reflected_inertia <- function(moment_of_inertia_kg_m2, ratio, ...) {
 #'   [autoplot.rot_gear_train()].
 #' @concept gear
 #' @concept transmission
+#' @concept bicycle
+#' @concept mechanical advantage
 #' @examples
 #' gear_train(c(0.01, 0.5), ratios = 5, efficiency = 0.9, torque = c(2, -4))
 #' scene <- scene_gears(c(0.01, 0.5), ratios = 5, efficiency = 0.9, torque = c(2, -4))

@@ -33,6 +33,10 @@
 #' @seealso [clutch_engagement()], [gear_train()], [collision_ledger()].
 #' @concept collision
 #' @concept gear
+#' @concept merry-go-round
+#' @concept flywheel
+#' @concept clutch
+#' @concept conservation of angular momentum
 #' @examples
 #' # A flywheel at 600 rpm couples to one at rest with three times its moment of inertia.
 #' lock <- disks_lock(1, 3, omega_1_rad_per_s = 600 * pi / 30, omega_2_rad_per_s = 0)

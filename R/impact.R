@@ -49,6 +49,10 @@
 #'   for a ball that slides and rolls.
 #' @concept collision
 #' @concept impulse
+#' @concept bowling
+#' @concept bouncing ball
+#' @concept baseball bat
+#' @concept ballistic pendulum
 #' @examples
 #' ball_bounce(
 #'   body_sphere(0.06, 0.033), vx_m_per_s = 20, vy_m_per_s = -5, omega_rad_per_s = c(-300, 0),

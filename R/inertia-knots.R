@@ -17,6 +17,9 @@
 #' @seealso [scene_axle()], which takes it as a body; [moment_of_inertia()].
 #' @concept skater
 #' @concept changing moment of inertia
+#' @concept figure skater
+#' @concept conservation of angular momentum
+#' @concept merry-go-round
 #' @examples
 #' skater <- inertia_knots(time_s = c(1, 2), moment_of_inertia_kg_m2 = c(5, 2))
 #' scene <- scene_axle(skater, omega0_rad_per_s = 2)

@@ -62,6 +62,12 @@
 #' hung$centre
 #' inertia_compound_pendulum(period, mass, rim, amplitude_rad = 0.5)
 #'
+#' # A rod on two parallel wires of 1 m, 0.6 m apart.
+#' inertia_bifilar(
+#'   measured(1.1594, 0.001), mass_kg = 0.8, length_m = 1, upper_spacing_m = 0.6,
+#'   lower_spacing_m = 0.6
+#' )
+#'
 #' # A trifilar platform, empty and loaded: what they share counts once.
 #' plate <- measured(0.512, 0.001, name = "plate")
 #' load <- measured(1.204, 0.001, name = "load")

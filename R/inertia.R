@@ -25,7 +25,7 @@
 #'   columns are the new axes in the own ones (or its quaternion, scalar first).
 #' @param products Sign convention of the off-diagonal elements: see the section on signs.
 #' @param axis Direction of the axis in the own axes: `"x"`, `"y"`, `"z"`, or three numbers of any
-#'   length but 0.
+#'   length but 0. Disks, hoops and wheels turn about `"z"`, a rod lies along `"x"`.
 #' @return `inertia_tensor()`: a 3 x 3 matrix in kg m^2 (class `rot_inertia_tensor`) with its point,
 #'   axes and sign convention as attributes: tensors about different points or in different axes
 #'   cannot be added. `as.matrix()` returns the plain matrix.
@@ -41,6 +41,8 @@
 #' @seealso [principal_axes()], [parallel_axis()] for numbers without a body, [join_bodies()].
 #' @concept moment
 #' @concept parallel axis theorem
+#' @concept moment of inertia
+#' @concept parallel axis
 #' @examples
 #' rod <- body_rod(mass_kg = 1.5, length_m = 2)
 #' moment_of_inertia(rod, axis = "z")
@@ -73,17 +75,36 @@ inertia_tensor <- function(body, about = "centre", ..., axes = "own",
 
 #' @rdname inertia_tensor
 #' @export
-moment_of_inertia <- function(body, axis, through = NULL, ...) {
+moment_of_inertia <- function(body, axis = "z", through = NULL, ...) {
   call <- check_no_dots(...)
-  check_supplied(c("body", "axis"), call)
-  moment_through(body, axis, through, call)
+  check_supplied("body", call)
+  moment <- moment_through(body, axis, through, call)
+  if (missing(through)) say_axis_in_centre(body, axis, call)
+  moment
+}
+
+# As say_axle_in_centre() of R/scene.R, with the moment about the body's own axis.
+say_axis_in_centre <- function(body, axis, call) {
+  axis <- unit_axis(as_axis(axis, call), call)
+  off <- off_own_axis(body, axis)
+  if (off == 0) return(invisible())
+  own <- moment_about_axis(body, axis, c(0, 0, 0))
+  inform_quickly(c(
+    paste0(
+      "The axis passes through the centre of mass, ", format_si(off), " m from the body's own axis."
+    ),
+    paste0(
+      "`through = \"origin\"`: about the own axis it is ", format_si(own), " kg m^2. ",
+      "`through = \"centre\"`: as now."
+    )
+  ), "axle")
 }
 
 #' @rdname inertia_tensor
 #' @export
-radius_of_gyration <- function(body, axis, through = NULL, ...) {
+radius_of_gyration <- function(body, axis = "z", through = NULL, ...) {
   call <- check_no_dots(...)
-  check_supplied(c("body", "axis"), call)
+  check_supplied("body", call)
   sqrt(moment_through(body, axis, through, call) / body$mass_kg)
 }
 

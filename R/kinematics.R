@@ -29,6 +29,11 @@
 #'   `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 1.1.
 #' @seealso [point_motion()] for a point of the body, [convert_angle()] for rpm and degrees.
+#' @concept rpm
+#' @concept angular acceleration
+#' @concept constant acceleration
+#' @concept kinematics
+#' @concept revolutions
 #' @examples
 #' # A centrifuge stops from 7000 rpm in 10 s: number of turns.
 #' down <- angular_motion(
@@ -53,7 +58,10 @@ angular_motion <- function(theta_rad, omega0_rad_per_s, omega_rad_per_s, alpha_r
   if (sum(given) != 3L) {
     abort_rotdyn(c(
       "Three of {.arg {names(columns)}} must be given.",
-      x = if (any(given)) "Given: {.arg {names(columns)[given]}}." else "None is given."
+      x = if (any(given)) "Given: {.arg {names(columns)[given]}}." else "None is given.",
+      i = if (sum(given) == 2L && !given[["alpha_rad_per_s2"]]) {
+        "At a constant angular velocity {.arg alpha_rad_per_s2} is 0."
+      }
     ), if (sum(given) < 3L) "missing" else "size", call)
   }
   for (arg in names(columns)[given]) {
@@ -104,11 +112,14 @@ check_finite_or_na <- function(x, arg, unit, call) {
 #' \deqn{v = \omega r,\quad a_t = \alpha r,\quad a_c = \omega^2 r}{
 #'   v = omega r,  a_t = alpha r (tangential),  a_c = omega^2 r (centripetal)}
 #'
-#' @param omega_rad_per_s Angular velocity in rad/s.
+#' @param omega_rad_per_s Angular velocity in rad/s; or instead of it `speed_m_per_s`.
 #' @param radius_m Distance from the axle in m, at least 0; or a round body, whose radius counts.
 #' @param alpha_rad_per_s2 Angular acceleration in rad/s^2.
 #' @param ... Not used: an unknown argument is an error.
-#' @return A tibble of the arguments, then `r describe_columns(point_columns)`
+#' @param speed_m_per_s Speed of the point in m/s, from which `omega = v/r` follows: of a wheel that
+#'   rolls, the speed of its centre. The radius is then greater than 0.
+#' @return A tibble of angular velocity, radius and angular acceleration, then
+#'   `r describe_columns(point_columns)`
 #'   NA gives NA. Error: at most 3 ulp (2 ulp for the angle). In `dplyr::mutate()` a column is
 #'   `point_motion(omega, r)$centripetal_acceleration_m_per_s2`.
 #' @section Warnings: `rotdyn_warning_range` where finite numbers give a result beyond double
@@ -121,15 +132,28 @@ check_finite_or_na <- function(x, arg, unit, call) {
 #' @concept tangential speed
 #' @concept tangential acceleration
 #' @concept wheel
+#' @concept bicycle
+#' @concept speed at the rim
 #' @examples
 #' point_motion(omega_rad_per_s = 6, radius_m = c(0.1, 0.2, 0.3), alpha_rad_per_s2 = -2.5)
 #' # A centrifuge in units of g:
 #' rate <- convert_angle(7000, "rpm", "rad/s")
 #' point_motion(rate, radius_m = 0.1)$centripetal_acceleration_m_per_s2 / 9.80665
+#' # The wheel of a bicycle at 5 m/s:
+#' point_motion(radius_m = 0.35, speed_m_per_s = 5)$omega_rad_per_s
 #' @export
-point_motion <- function(omega_rad_per_s, radius_m, alpha_rad_per_s2 = 0, ...) {
+point_motion <- function(omega_rad_per_s, radius_m, alpha_rad_per_s2 = 0, ..., speed_m_per_s) {
   call <- check_no_dots(...)
-  check_supplied(c("omega_rad_per_s", "radius_m"), call)
+  by_speed <- !missing(speed_m_per_s)
+  check_supplied(c(if (!by_speed) "omega_rad_per_s", "radius_m"), call)
+  if (by_speed) {
+    if (!missing(omega_rad_per_s)) {
+      abort_rotdyn(
+        "Give {.arg omega_rad_per_s} or {.arg speed_m_per_s}, not both.", "argument", call
+      )
+    }
+    omega_rad_per_s <- omega_of_speed(speed_m_per_s, radius_m, call)
+  }
   columns <- check_point_columns(
     list(
       omega_rad_per_s = omega_rad_per_s, radius_m = radius_m, alpha_rad_per_s2 = alpha_rad_per_s2
@@ -142,6 +166,22 @@ point_motion <- function(omega_rad_per_s, radius_m, alpha_rad_per_s2 = 0, ...) {
   )
   warn_beyond(values, columns, n, call)
   new_table(lapply(c(columns, values), rep_len, n), nrow = n)
+}
+
+# v/r, for radii greater than 0.
+omega_of_speed <- function(speed_m_per_s, radius_m, call) {
+  given <- list(
+    speed_m_per_s = check_finite_or_na(speed_m_per_s, "speed_m_per_s", "m/s", call),
+    radius_m = check_finite_or_na(radius_m, "radius_m", "m", call)
+  )
+  check_recyclable(given, call)
+  check_not_negative(given$radius_m, "radius_m", "m", call, open = TRUE)
+  omega <- given$speed_m_per_s / given$radius_m
+  beyond <- is.infinite(omega)
+  if (any(beyond, na.rm = TRUE)) {
+    abort_rotdyn("The angular velocity exceeds double precision.", "range", call)
+  }
+  omega
 }
 
 check_point_columns <- function(columns, call) {
@@ -161,7 +201,7 @@ check_point_columns <- function(columns, call) {
 #' @param x Numbers, or a `units` object.
 #' @param from,to Units of x and of the result: of an angle `"rad"`, `"degree"`, `"turn"`; of an
 #'   angular velocity `"rad/s"`, `"degree/s"`, `"turn/s"`, `"rpm"` (turns per minute). `"deg"`,
-#'   `"rev"` and plurals are the same.
+#'   `"rev"`, plurals, and `"rad_per_s"` as in names of arguments, are the same.
 #' @param ... Not used: an unknown argument is an error.
 #' @return Doubles. NA stays NA; infinite values are unchanged.
 #' @section Warnings: `rotdyn_warning_range` where finite numbers give a result beyond double
@@ -210,6 +250,7 @@ convert_angle <- function(x, from, to, ...) {
 check_angle_unit <- function(x, arg, call) {
   known <- c("rad", names(angle_parts)[1:2], "rad/s", names(angle_parts)[3:5])
   if (is.character(x) && length(x) == 1L && !is.na(x) && is_readable_text(x)) {
+    x <- sub("_per_s$", "/s", x) # as in names of arguments
     x <- sub("^(radian|degree|turn)s", "\\1", x)
     x <- sub("^radian", "rad", sub("^(rev|revolution)s?(?=/|$)", "turn", x, perl = TRUE))
     x <- sub("^deg(?=/|$)", "degree", x, perl = TRUE)

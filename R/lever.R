@@ -32,6 +32,8 @@
 #' @concept angular momentum
 #' @concept spanner
 #' @concept wrench
+#' @concept lever
+#' @concept door
 #' @examples
 #' # A spanner of 0.25 m pulled with 40 N, at right angles and at 60 degrees.
 #' torque_of_force(40, 0.25, c(90, 60))

@@ -43,6 +43,10 @@ core_record <- function(record) {
 #'   `r describe_columns(model_columns)`
 #'   `error` is the smallest relative error that the model promises.
 #' @seealso [choose_model()] says which of them fit a scene.
+#' @concept RK4
+#' @concept Euler
+#' @concept integrators
+#' @concept methods
 #' @examples
 #' models()
 #' @export
@@ -193,6 +197,9 @@ call_seconds <- function(once) {
 #' @source [models()] says for each model where its equations come from.
 #' @seealso [models()] lists all, [work_precision()] measures what is predicted here,
 #'   [trajectory()].
+#' @concept which model
+#' @concept method
+#' @concept approximation
 #' @examples
 #' scene <- scene_axle(body_disk(2, 0.25), torque_constant(0.8), resistance(0.03))
 #' choose_model(scene, time_s = seq(0, 8, by = 0.1))

@@ -50,14 +50,16 @@ word_synonyms <- c(
   velocity = "omega", w = "omega", time = "time", times = "time", t = "time",
   mass = "mass", weight = "mass", friction = "coulomb", drag = "quadratic", damping = "viscous",
   height = "height", h = "height", slope = "incline", inertia = "moment", moi = "moment",
-  torques = "torque", tau = "torque", rate = "omega"
+  torques = "torque", tau = "torque", rate = "omega", distance = "radius", distance = "lever",
+  distance = "pivot", arm = "radius", speed = "v",
+  velocity = "v", spin = "omega", omega = "spin", position = "place"
 )
 
 word_likeness <- function(a, b) {
   if (a == b) return(1)
   if (min(nchar(a), nchar(b)) >= 3L && (startsWith(a, b) || startsWith(b, a))) return(0.95)
-  known <- word_synonyms[c(a, b)]
-  if (identical(unname(known[1]), b) || identical(unname(known[2]), a)) return(0.8)
+  same <- function(x, y) y %in% word_synonyms[names(word_synonyms) == x]
+  if (same(a, b) || same(b, a)) return(0.8)
   edits <- 1 - utils::adist(a, b)[1] / max(nchar(a), nchar(b))
   if (edits >= 0.6) edits else 0
 }
@@ -103,3 +105,47 @@ unit_hints <- function(names, angles = TRUE) {
   )
   if (length(hints)) stats::setNames(hints, rep("i", length(hints)))
 }
+
+# What an unknown argument of a function is asked of another one for; `argument`: a pattern.
+asked_elsewhere <- list(
+  list("spin_up", "^(omega|alpha)_", paste(
+    "{.fn angular_motion} finds the angular acceleration from two angular velocities and the time;",
+    "the torque is the moment of inertia times it."
+  )),
+  list("energy_partition", "^(omega|moment)_", paste(
+    "{.fn kinetic_energy} takes the angular velocity of a body that need not roll."
+  )),
+  list("angular_momentum_of", "^mass", "{.arg body} takes the mass in kg, or a body."),
+  list("precession_table", "^(mass|moment|precession)_", paste(
+    "Without a body these are columns of a data frame: {.code precession_table(data.frame(mass_kg",
+    "= , moment_of_inertia_kg_m2 = , spin_rad_per_s = , lever_arm_m = ))}."
+  )),
+  list("scene_incline", "^(friction|mu)", paste(
+    "A body that slides at first has {.code omega0_rad_per_s = 0}; where it is not given, it rolls",
+    "from the start."
+  )),
+  list("body_points", "^[xyz]_m$", paste(
+    "Coordinates are columns of a table: {.code body_points(data.frame(mass_kg = , x_m = , y_m =",
+    "0))}."
+  )),
+  list("angular_impulse", "^time", "The times are {.arg from_s} and {.arg to_s}."),
+  list("scene_pivot", "^(distance|lever|arm|radius)", paste(
+    "{.arg pivot_m} is where the body is held, in its own axes: {.code pivot_m = c(0, 0, -0.1)} on",
+    "the axis of a disk, 0.1 m below its centre."
+  ))
+)
+
+# `fn`: the name of the function; `names`: its unknown arguments.
+elsewhere_hints <- function(fn, names) {
+  hints <- Filter(function(one) identical(one[[1]], fn) && any(grepl(one[[2]], names)),
+                  asked_elsewhere)
+  said <- vapply(hints, `[[`, "", 3L)
+  if (length(said)) stats::setNames(said, rep("i", length(said)))
+}
+
+# What to give for a required argument that is missing.
+missing_hints <- c(
+  axis = "Give {.or {.val {c('x', 'y', 'z')}}}, or three numbers.",
+  centre_m = "It is 0 for a body whose axle passes through its centre of mass.",
+  omega_2_rad_per_s = "It is 0 for a body at rest."
+)

@@ -13,8 +13,9 @@
 #'
 #' @param inertia_kg_m2 Moments of inertia (a vector, recycled with the others, so that it works
 #'   inside `dplyr::mutate()`), or one 3 x 3 tensor whose off-diagonal elements are minus the
-#'   products of inertia.
-#' @param mass_kg Mass, at least 0.
+#'   products of inertia. Or a body, or a list of them: the mass, and the moment about the own z
+#'   axis through the centre of mass, count, and the distance may be the second argument.
+#' @param mass_kg Mass, at least 0; not of a body.
 #' @param distance_m For moments: the distance of the two axes. For a tensor: the three components
 #'   of the vector between the two points (its sign has no effect).
 #' @param ... Not used; names after it must be given in full.
@@ -26,18 +27,37 @@
 #'   or distance; a moment about the centre that would be negative), `rotdyn_error_inertia` (a
 #'   tensor that is not physical), `rotdyn_error_range`, `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), equation 5.21.
-#' @seealso [inertia_tensor()] and [moment_of_inertia()] for bodies, [join_bodies()].
+#' @seealso [inertia_tensor()] and [moment_of_inertia()] for bodies about any axis, [join_bodies()].
+#' @concept parallel axis
 #' @concept Steiner
 #' @concept moment
+#' @concept moment of inertia
 #' @examples
 #' # A rod of 1.5 kg and 2 m: from its centre to its end, and back.
 #' parallel_axis(0.5, mass_kg = 1.5, distance_m = 1)
 #' parallel_axis(2, mass_kg = 1.5, distance_m = 1, direction = "to_centre")
+#' # A disk about a point of its rim.
+#' parallel_axis(body_disk(3, 0.2), distance_m = 0.2)
 #' parallel_axis(diag(c(1, 2, 3)), mass_kg = 2, distance_m = c(0, 0, 0.5))
 #' @export
 parallel_axis <- function(inertia_kg_m2, mass_kg, distance_m, ...,
                           direction = c("from_centre", "to_centre")) {
   call <- check_no_dots(...)
+  if (!missing(inertia_kg_m2) && are_bodies(inertia_kg_m2)) {
+    if (missing(distance_m) && !missing(mass_kg)) {
+      distance_m <- mass_kg
+    } else if (!missing(mass_kg) && !are_bodies(mass_kg)) {
+      abort_rotdyn("{.arg mass_kg} is known of a body.", "argument", call)
+    }
+    if (check_choice(direction, "direction", c("from_centre", "to_centre"), call) == "to_centre") {
+      abort_rotdyn("The moment of a body is that about its centre of mass.", "value", call)
+    }
+    bodies <- if (inherits(inertia_kg_m2, "rot_body")) list(inertia_kg_m2) else inertia_kg_m2
+    for (body in bodies) check_body(body, call, "inertia_kg_m2")
+    mass_kg <- vapply(bodies, function(body) body$mass_kg, 0)
+    # A body that names its axle, such as a rod on its end, is moved from its centre of mass, too.
+    inertia_kg_m2 <- vapply(bodies, moment_about_axis, 0, axis = c(0, 0, 1))
+  }
   check_supplied(c("inertia_kg_m2", "mass_kg", "distance_m"), call)
   direction <- check_choice(direction, "direction", c("from_centre", "to_centre"), call)
   sign <- if (direction == "from_centre") 1 else -1
@@ -82,6 +102,10 @@ parallel_axis <- function(inertia_kg_m2, mass_kg, distance_m, ...,
     warn_lost_digits(moved, value, call)
   }
   value
+}
+
+are_bodies <- function(x) {
+  inherits(x, "rot_body") || (is.list(x) && length(x) && all(vapply(x, inherits, NA, "rot_body")))
 }
 
 parallel_axis_tensor <- function(inertia, mass, d, sign, call) {

@@ -1,8 +1,8 @@
 #' The periods of a motion
 #'
 #' In closed form: a pendulum at any amplitude and in rotation, an oscillator with a spring, a wheel
-#' that turns freely; the modes of rotors on shafts, of a drive and of a chain; the small swings of a
-#' bead on a hoop; the wobble of a free body; precession and nutation of a top.
+#' that turns freely; the modes of rotors on shafts, of a drive and of a chain; the small swings of
+#' a bead on a hoop; the wobble of a free body; precession and nutation of a top.
 #'
 #' \deqn{T = 4 \sqrt{I / (m g d)} \, K(\sin^2(A / 2))}{T = 4 sqrt(I/(m g d)) K(sin^2(A/2))}
 #' for a pendulum of amplitude A, with the complete elliptic integral K. An oscillator
@@ -10,10 +10,10 @@
 #' between two passages of the rest angle in the same sense. With damping the motion itself has no
 #' period: each cycle multiplies the amplitude by `amplitude_ratio`.
 #'
-#' A mode is a swing in which all parts pass rest together, of small amplitude and without damping. A
-#' free body wobbles: its angular velocity in its own axes repeats after the time between two flips,
-#' twice. The axis of a top goes around the vertical (precession, by the mean rate) and nods
-#' (nutation).
+#' A mode is a swing in which all parts pass rest together, of small amplitude and without damping.
+#' A free body wobbles: its angular velocity in its own axes repeats after the time between two
+#' flips, twice. The axis of a top goes around the vertical (precession, by the mean rate; that of
+#' a vertical top is the slow one beside the vertical) and nods (nutation).
 #'
 #' @param scene A scene of [scene_axle()], [scene_pendulum()], [scene_gears()], [scene_rotors()],
 #'   [scene_drive()] without clutches, [scene_chain()], [scene_hoop()], [scene_free()] or
@@ -30,9 +30,9 @@
 #'   bead may rest, lowest angle first), `"wobble"`, `"precession"` and `"nutation"`.
 #'   `amplitude_rad` is NaN where there is none: of modes and small swings, which have any, and of
 #'   precession; of a nutation it is half of the way between its two inclinations.
-#' @section Errors: `rotdyn_error_type`; `rotdyn_error_model` where there is no closed form (a driven
-#'   motion, gravity with a spring, a tumbling body with a torque) and where nothing swings (an
-#'   incline, a clutch): [time_when()] gives the passages.
+#' @section Errors: `rotdyn_error_type`; `rotdyn_error_model` where there is no closed form (a
+#'   driven motion, gravity with a spring, a tumbling body with a torque) and where nothing swings
+#'   (an incline, a clutch): [time_when()] gives the passages.
 #' @source Landau and Lifshitz, Mechanics, 3rd ed. (1976), sections 11 and 25. The integral by the
 #'   arithmetic-geometric mean to twice the precision, so that it holds beside the separatrix, too.
 #'   Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), sections 5.6, 5.7 and 6.2.
@@ -40,6 +40,9 @@
 #'   [flip_time()], [precession_table()].
 #' @concept period
 #' @concept frequency
+#' @concept pendulum
+#' @concept frequency of a pendulum
+#' @concept precession
 #' @examples
 #' # A metre stick about its end: small swings, and let go from horizontal.
 #' stick <- function(angle) scene_pendulum(body_rod(0.1, 1), 0.5, theta0_rad = angle)
@@ -87,5 +90,11 @@ abort_no_period <- function(scene, call, remedy) {
   ), "model", call)
 }
 
+# About the stable ones of positions of rest.
+small_swings <- function(rests) {
+  list(period_s = 2 * pi / rests$swing_rad_per_s[rests$stable], kind = "small swing")
+}
+
 # Natural rates as periods; a rate of 0 turns as a whole.
-periods_of_modes <- function(rates) list(period_s = 2 * pi / rates[rates %in% 0 == FALSE], kind = "mode")
+periods_of_modes <- function(rates) list(period_s = 2 * pi / rates[rates %in% 0 == FALSE],
+  kind = "mode")

@@ -15,6 +15,8 @@
 #' ggplot2::autoplot(wheel)
 #' ggplot2::autoplot(wheel[wheel$balance == "energy", ])
 #' @exportS3Method ggplot2::autoplot
+#' @concept plot
+#' @concept energy bars
 autoplot.rot_audit <- function(object, ..., base_size = 13) {
   call <- check_plot(base_size, ...)
   for (column in c("balance", "unit", "terms", "verdict")) {

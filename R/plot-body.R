@@ -33,6 +33,8 @@
 #' dumbbell <- join_bodies(rod, place_body(ball, c(0.6, 0, 0)), place_body(ball, c(-0.6, 0, 0)))
 #' ggplot2::autoplot(place_body(dumbbell, c(0.5, 0, 0), rotation_about("z", angle_deg = 30)))
 #' @exportS3Method ggplot2::autoplot
+#' @concept plot
+#' @concept drawing of a body
 autoplot.rot_body <- function(object, ..., base_size = 13) {
   call <- check_plot(base_size, ...)
   drawn <- body_drawing(object, call)

@@ -18,6 +18,8 @@
 #' )
 #' ggplot2::autoplot(hung)
 #' @exportS3Method ggplot2::autoplot
+#' @concept plot
+#' @concept error budget
 autoplot.rot_uncertainty_budget <- function(object, ..., base_size = 13) {
   call <- check_plot(base_size, ...)
   check_budget(object, "object", call)

@@ -10,6 +10,7 @@
 #'   `rotdyn_error_type`, `rotdyn_error_value`.
 #' @seealso [check_inertia()], whose rows say what each condition means.
 #' @concept triangle inequality
+#' @concept plot
 #' @examplesIf requireNamespace("ggplot2", quietly = TRUE)
 #' tensors <- data.frame(
 #'   object = c("arm", "lid"), ixx = 1, iyy = c(2, 1), izz = c(2.5, 3), ixy = 0, ixz = 0, iyz = 0

@@ -16,6 +16,8 @@
 #' samples <- data.frame(time_s, omega_rad_per_s = 21 * exp(-0.1 * time_s) - 1 + rnorm(81, 0, 0.02))
 #' ggplot2::autoplot(fit_coast_down(samples, losses = c("coulomb", "viscous")))
 #' @exportS3Method ggplot2::autoplot
+#' @concept plot
+#' @concept coast-down
 autoplot.rot_coast_fit <- function(object, ..., run = 1, base_size = 13) {
   call <- check_plot(base_size, ...)
   fit <- coast_fit(object, "object", call)

@@ -11,6 +11,9 @@
 #' @examplesIf requireNamespace("ggplot2", quietly = TRUE)
 #' ggplot2::autoplot(roll_on_curve(curve_cycloid(1), 0, 2 * pi, body = 2 / 5))
 #' @exportS3Method ggplot2::autoplot
+#' @concept plot
+#' @concept loop
+#' @concept track
 autoplot.rot_curve_motion <- function(object, ..., base_size = 13) {
   call <- check_plot(base_size, ...)
   run <- check_curve_motion(object, call)

@@ -22,6 +22,8 @@
 #' )
 #' ggplot2::autoplot(estimate_motion(record))
 #' @exportS3Method ggplot2::autoplot
+#' @concept plot
+#' @concept measured motion
 autoplot.rot_estimate <- function(object, ..., units = NULL, base_size = 13) {
   call <- check_plot(base_size, ...)
   fit <- check_estimate(object, "object", call)

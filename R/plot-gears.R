@@ -12,8 +12,11 @@
 #'   `rotdyn_error_type`, `rotdyn_error_value`.
 #' @seealso [gear_train()], [autoplot.rot_scene()].
 #' @examplesIf requireNamespace("ggplot2", quietly = TRUE)
-#' ggplot2::autoplot(gear_train(c(0.01, 0.5, 2), ratios = c(5, -3), torque_n_m = c(2, 0, -4)))
+#' ggplot2::autoplot(gear_train(c(0.01, 0.5, 2), ratios = c(5, -3), torque = c(2, 0, -4)))
 #' @exportS3Method ggplot2::autoplot
+#' @concept plot
+#' @concept gear
+#' @concept drawing of gears
 autoplot.rot_gear_train <- function(object, ..., base_size = 13) {
   call <- check_plot(base_size, ...)
   for (column in c("ratio_to_first", "moment_of_inertia_kg_m2")) {

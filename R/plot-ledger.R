@@ -13,6 +13,8 @@
 #' lock <- disks_lock(1, 3, omega_1_rad_per_s = 60, omega_2_rad_per_s = 0)
 #' ggplot2::autoplot(collision_ledger(lock))
 #' @exportS3Method ggplot2::autoplot
+#' @concept plot
+#' @concept energy of a collision
 autoplot.rot_ledger <- function(object, ..., base_size = 13) {
   call <- check_plot(base_size, ...)
   energies <- attr(object, "energies")

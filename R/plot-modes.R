@@ -13,6 +13,8 @@
 #' @examplesIf requireNamespace("ggplot2", quietly = TRUE)
 #' ggplot2::autoplot(shaft_modes(scene_rotors(c(1, 2, 1, 4), stiffness_n_m_per_rad = 500)))
 #' @exportS3Method ggplot2::autoplot
+#' @concept plot
+#' @concept mode shapes
 autoplot.rot_shaft_modes <- function(object, ..., modes = NULL, base_size = 13) {
   call <- check_plot(base_size, ...)
   shaft <- attr(object, "shaft")

@@ -16,6 +16,8 @@
 #' samples <- data.frame(t = c(0:20, 30:50) / 10, angle = c(0:20, 30:50)^2 / 50)
 #' ggplot2::autoplot(motion_record(samples, time_s = t, theta_rad = angle, segment = t > 2.5))
 #' @exportS3Method ggplot2::autoplot
+#' @concept plot
+#' @concept samples
 autoplot.rot_record <- function(object, ..., units = NULL, base_size = 13) {
   call <- check_plot(base_size, ...)
   units <- check_plot_units(units, call)

@@ -15,6 +15,8 @@
 #' pooled <- pool_periods(times, swings = 10, group = rep(c("A", "B", "C"), each = 4))
 #' ggplot2::autoplot(pooled)
 #' @exportS3Method ggplot2::autoplot
+#' @concept plot
+#' @concept stopwatch
 autoplot.rot_pooled_periods <- function(object, ..., base_size = 13) {
   call <- check_plot(base_size, ...)
   check_pooled_periods(object, "object", call)

@@ -13,6 +13,8 @@
 #' @examplesIf requireNamespace("ggplot2", quietly = TRUE)
 #' ggplot2::autoplot(roll_race())
 #' @exportS3Method ggplot2::autoplot
+#' @concept plot
+#' @concept race
 autoplot.rot_race <- function(object, ..., time_s = NULL, base_size = 13) {
   call <- check_plot(base_size, ...)
   race <- attr(object, "race", exact = TRUE)

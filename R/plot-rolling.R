@@ -11,6 +11,8 @@
 #' @examplesIf requireNamespace("ggplot2", quietly = TRUE)
 #' ggplot2::autoplot(rolling_table())
 #' @exportS3Method ggplot2::autoplot
+#' @concept plot
+#' @concept rolling
 autoplot.rot_rolling_table <- function(object, ..., base_size = 13) {
   call <- check_plot(base_size, ...)
   label <- if ("object" %in% names(object)) {

@@ -15,6 +15,8 @@
 #' @examplesIf requireNamespace("ggplot2", quietly = TRUE)
 #' ggplot2::autoplot(polhode(scene_free(c(1, 2, 3), c(0.3, 4, 0.3))))
 #' @exportS3Method ggplot2::autoplot
+#' @concept plot
+#' @concept path of the axis
 #' @name autoplot.rot_axis_path
 autoplot.rot_axis_path <- function(object, ..., base_size = 13) {
   call <- check_plot(base_size, ...)

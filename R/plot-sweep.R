@@ -20,6 +20,8 @@
 #' )
 #' ggplot2::autoplot(spin_up_table(designs, torque_constant(0.8), time_s = 8))
 #' @exportS3Method ggplot2::autoplot
+#' @concept plot
+#' @concept designs
 autoplot.rot_spin_up_table <- function(object, ..., x = NULL, colour = NULL, panels = NULL,
                                        base_size = 13) {
   call <- check_plot(base_size, ...)

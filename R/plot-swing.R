@@ -21,6 +21,8 @@
 #' fit <- fit_swing(motion_record(samples, time_s = time_s, theta_rad = theta_rad))
 #' ggplot2::autoplot(fit)
 #' @exportS3Method ggplot2::autoplot
+#' @concept plot
+#' @concept pendulum
 autoplot.rot_swing_fit <- function(object, ..., base_size = 13) {
   call <- check_plot(base_size, ...)
   check_swing_fit(object, "object", call)

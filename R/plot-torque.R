@@ -16,6 +16,8 @@
 #' ggplot2::autoplot(torque_knots(c(0, 1, 4, 6, 8), c(0, 0.8, 0.8, 0, 0)))
 #' ggplot2::autoplot(torque_motor(2, 300) + torque_pulse(1, 0.2, 3))
 #' @exportS3Method ggplot2::autoplot
+#' @concept plot
+#' @concept torque over time
 autoplot.rot_torque <- function(object, ..., time_s = NULL, omega_rad_per_s = NULL,
                                 theta_rad = NULL, base_size = 13) {
   call <- check_plot(base_size, ...)

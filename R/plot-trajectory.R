@@ -31,11 +31,14 @@
 #' @examplesIf requireNamespace("ggplot2", quietly = TRUE)
 #' ggplot2::autoplot(spin_up(), units = c("turn", "rpm"))
 #' ggplot2::autoplot(spin_up(), panels = c("angular velocity", "torque"))
-#' scene <- scene_clutch(2, 3, capacity_n_m = 12, omega1_rad_per_s = 10)
+#' scene <- scene_clutch(2, 3, capacity_n_m = 12, omega0_rad_per_s = c(10, 0))
 #' ggplot2::autoplot(trajectory(scene, time_s = seq(0, 2, by = 0.02)))
 #' skater <- scene_axle(inertia_knots(c(1, 2), c(5, 2)), omega0_rad_per_s = 2)
 #' ggplot2::autoplot(trajectory(skater, time_s = seq(0, 3, by = 0.02)))
 #' @exportS3Method ggplot2::autoplot
+#' @concept plot
+#' @concept graph
+#' @concept figure
 autoplot.rot_trajectory <- function(object, ..., units = NULL, panels = NULL, by = NULL,
                                     base_size = 13) {
   call <- check_plot(base_size, ...)
@@ -55,6 +58,8 @@ autoplot.rot_trajectory <- function(object, ..., units = NULL, panels = NULL, by
 #' @section Errors: `rotdyn_error_missing`, `rotdyn_error_type`, `rotdyn_error_value` for runs of
 #'   different kinds and names given twice.
 #' @seealso [autoplot.rot_trajectory()].
+#' @concept convergence
+#' @concept compare models
 #' @examples
 #' wheel <- function(c) scene_axle(body_disk(2, 0.25), 0.8, resistance(viscous_n_m_s = c))
 #' time <- seq(0, 10, by = 0.1)

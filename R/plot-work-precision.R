@@ -16,6 +16,8 @@
 #' measured <- work_precision(scene, 0:8, accuracies = c(1e-3, 1e-9), least_batch_s = 0.002)
 #' ggplot2::autoplot(measured)
 #' @exportS3Method ggplot2::autoplot
+#' @concept plot
+#' @concept cost of accuracy
 autoplot.rot_work_precision <- function(object, ..., base_size = 13) {
   check_plot(base_size, ...)
   points <- as.data.frame(object)

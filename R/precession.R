@@ -50,6 +50,8 @@
 #' @concept precession
 #' @concept nutation
 #' @concept top
+#' @concept bicycle wheel
+#' @concept spinning top
 #' @examples
 #' precession_table()
 #' # A top at 30 degrees: what the formula lacks, and how deep the axis falls when released.

@@ -1,7 +1,7 @@
 # Tables that functions return, printed so that no name is abbreviated: one row upright, with units;
 # else the first columns that fit, and the names of the others.
 
-# A tibble of the package; `...`: attributes.
+# A tibble of the package; `nrow = NULL`: as its first column; `...`: attributes.
 new_table <- function(x, nrow = NULL, class = NULL, ...) {
   tibble::new_tibble(x, ..., nrow = nrow, class = c(class, "rot_table"))
 }
@@ -56,7 +56,10 @@ print.rot_trajectory <- print.rot_table
 upright_lines <- function(x) {
   table <- column_table()
   units <- table$unit[match(names(x), table$name)]
-  units[is.na(units) | units == "1"] <- ""
+  # Columns that are arguments have theirs in the name.
+  other <- is.na(units)
+  units[other] <- unit_in_name(names(x)[other])
+  units[units == "1"] <- ""
   values <- vapply(unclass(x), function(value) {
     if (is.double(value)) format(signif(as.double(value), 7), digits = 7) else
       escape_controls(format(value))
@@ -69,6 +72,19 @@ upright_lines <- function(x) {
     paste(strwrap(line, width, exdent = 4), collapse = "\n")
   }, "")
   c(paste0("# One row, ", length(x), " columns"), lines)
+}
+
+# "rad/s" of `spin_rad_per_s`, by the columns whose names end alike; else "1".
+unit_in_name <- function(names) {
+  table <- column_table()
+  known <- unique(stats::na.omit(table$unit))
+  suffix <- gsub("^2", "2", gsub("*", "_", gsub("/", "_per_", known, fixed = TRUE), fixed = TRUE),
+                 fixed = TRUE)
+  suffix <- ifelse(known == "degree", "deg", tolower(gsub(" ", "_", suffix, fixed = TRUE)))
+  vapply(names, function(name) {
+    fits <- known != "1" & endsWith(name, paste0("_", suffix))
+    if (any(fits)) known[fits][which.max(nchar(suffix[fits]))] else "1"
+  }, "", USE.NAMES = FALSE)
 }
 
 # Lines of as many columns as fit without abbreviated names.
@@ -93,7 +109,9 @@ table_lines <- function(x, n) {
   comment <- startsWith(cli::ansi_strip(whole), "#")
   head <- whole[cumsum(!comment) == 0L]
   rows <- grep("more row", whole[comment & cumsum(!comment) > 0L], value = TRUE)
-  rows <- sub(",? (and )?[0-9]+ more variables?.*$", "", cli::ansi_strip(rows))
+  rows <- sub(
+    ",? (and )?([0-9]+ more variables?|abbreviated variable names?).*$", "", cli::ansi_strip(rows)
+  )
   others <- names(x)[-seq_len(low)]
   more <- if (length(others)) {
     strwrap(

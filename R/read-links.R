@@ -42,6 +42,8 @@ link_columns <- c(
 #' @source URDF: the XML specification of the `urdf` package of ROS. SDF: sdformat.org, version
 #'   1.11.
 #' @seealso [check_inertia()], [inertia_repairs()].
+#' @concept robot
+#' @concept URDF
 #' @examples
 #' file <- system.file("extdata", "arm.urdf", package = "rotdyn")
 #' if (requireNamespace("xml2", quietly = TRUE)) {

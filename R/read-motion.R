@@ -60,6 +60,16 @@
 #' ), file)
 #' read_motion(file)
 #' read_phyphox(file, axis = "z")
+#' # A table of a sensor in rpm, without times, at 50 rows a second.
+#' writeLines(c("n,w (rpm)", "1,10", "2,20", "3,30"), file)
+#' read_imu(file, rate_hz = 50)
+#' # Exports of Tracker, Vernier's programs and PASCO Capstone.
+#' writeLines(c("mass A", "t\tx\ty", "0\t0.2\t0", "0.1\t0.17\t0.1", "0.2\t0.1\t0.17"), file)
+#' read_tracker(file, centre_m = c(0, 0))
+#' writeLines(c("Latest: Time (s),Latest: Angle (deg)", "0,10", "0.1,20", "0.2,40"), file)
+#' read_vernier(file)
+#' writeLines(c("Time (s) Run #1,Angle (rad) Run #1", "0,0.1", "0.1,0.3", "0.2,0.6"), file)
+#' read_pasco(file)
 #' unlink(file)
 #' @export
 read_motion <- function(file, ...) {

@@ -26,3 +26,5 @@ measure <- function(unit, columns, distance = function(got, want) sqrt(rowSums((
 panel <- function(label, columns, only_with = NULL) {
   list(label = label, columns = columns, only_with = only_with)
 }
+
+omega_panel <- function() panel("angular velocity (rad/s)", c(omega_rad_per_s = ""))

@@ -62,6 +62,9 @@
 #' @concept yo-yo
 #' @concept Atwood machine
 #' @concept chimney
+#' @concept pulley
+#' @concept falling chimney
+#' @concept unwinding string
 #' @examples
 #' # Forward, at the critical angle of 60 degrees, backward.
 #' spool_pull(body_disk(2, 0.1), 5, c(0, 60, 80), inner_radius_m = 0.05)

@@ -42,6 +42,8 @@
 #' @concept friction
 #' @concept drag
 #' @concept damping
+#' @concept air resistance
+#' @concept bearing
 #' @examples
 #' resistance(viscous_n_m_s = 0.03)
 #' resistance(quadratic_n_m_s2 = 1e-4, coulomb_n_m = 0.2, static_n_m = 0.3)
@@ -99,9 +101,9 @@ as_resistance <- function(x, call, takes = names(resistance_terms)[1:4]) {
   if (is.numeric(x) && takes[1] == "viscous_n_m_s") {
     return(new_resistance(check_number(x, "resistance", "N*m*s", call)))
   }
-  check_class(
-    x, "rot_resistance", "resistance", paste0("Write {.code resistance(", takes[1], " = )}."), call
-  )
+  remedy <- if (inherits(x, "rot_brake")) resistance_remedy(x) else
+    paste0("Write {.code resistance(", takes[1], " = )}.")
+  check_class(x, "rot_resistance", "resistance", remedy, call)
   check_form(x, resistance_form, "resistance", "resistance", call)
   given <- setdiff(resisting_terms(x), takes)
   if (!length(given)) return(x)

@@ -51,6 +51,7 @@
 #' @concept coin
 #' @concept non-holonomic
 #' @concept turntable
+#' @concept bicycle wheel
 #' @examples
 #' # A coin that leans and goes round; its energy:
 #' coin <- roll_disk(

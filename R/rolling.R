@@ -27,6 +27,10 @@
 #'   `rotdyn_error_value` with the row of the first value outside its domain, `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 2.4.
 #' @seealso [rolling_functions] for use in `dplyr::mutate()`.
+#' @concept rolling
+#' @concept race
+#' @concept incline
+#' @concept hoop and disk
 #' @examples
 #' rolling_table()
 #' rolling_table(data.frame(beta = c(0.4, 0.4), incline_angle_deg = c(10, 80)))
@@ -168,6 +172,8 @@ rolling_objects <- function() {
 #' @seealso [rolling_table()] for all of them, [energy_partition()].
 #' @concept incline
 #' @concept rolling
+#' @concept friction
+#' @concept rolling without slipping
 #' @examples
 #' rolling_acceleration(c("hoop", "disk", "sphere"), incline_angle_deg = 20)
 #' rolling_final_speed(body_sphere(0.1, 0.02), height_drop_m = 0.5)

@@ -39,6 +39,9 @@
 #'
 #' @seealso [scene_axle()] and [trajectory()] to begin with, [inertia_table()], [rolling_table()],
 #'   [models()], [metadata()].
+#' @concept rotational dynamics
+#' @concept rotational motion
+#' @concept physics
 #' @keywords internal
 #' @useDynLib rotdyn, .registration = TRUE
 #' @importFrom generics glance augment

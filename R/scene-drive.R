@@ -44,6 +44,8 @@
 #' @concept brake
 #' @concept clutch
 #' @concept gear
+#' @concept belt
+#' @concept shaft
 #' @examples
 #' coupling_shaft(800, 0.05, ratio = 5)
 #' coupling_clutch(torque_knots(c(0, 1), c(0, 30), outside = "hold"), static_ratio = 1.2)
@@ -174,6 +176,10 @@ new_grip <- function(capacity, static_ratio, from_s, to_s, call) {
 #' @concept drive train
 #' @concept brake
 #' @concept gear
+#' @concept bicycle
+#' @concept motor
+#' @concept transmission
+#' @concept clutch
 #' @examples
 #' # A motor that drives a load through a gear and an elastic shaft.
 #' geared <- scene_drive(
@@ -319,8 +325,7 @@ print.rot_brake <- function(x, ...) {
 print.rot_scene_drive <- function(x, ...) {
   check_scene(x, rlang::current_env())
   n <- length(x$moment_of_inertia_kg_m2)
-  cat("<rot_scene> a drive of ", n, if (n == 1L) " rotor" else " rotors", " from ",
-      format_si(x$start_s), " s\n", sep = "")
+  cat("<rot_scene> ", scene_title(x), " from ", format_si(x$start_s), " s\n", sep = "")
   for (i in seq_len(min(n, 8L))) {
     torque <- x$torque[[i]]
     resistance <- x$resistance[[i]]

@@ -67,6 +67,9 @@
 #' @seealso [rotor()], [attitude], [flip_time()], [spin_stability()], [principal_axes()].
 #' @concept Dzhanibekov
 #' @concept tumbling
+#' @concept tennis racket
+#' @concept satellite
+#' @concept thrown body
 #' @examples
 #' # A wing nut spun about its middle axis, a little off:
 #' nut <- scene_free(c(1, 2, 3), c(0.01, 4, 0.01))
@@ -341,7 +344,7 @@ print.rot_scene_free <- function(x, ...) {
   check_scene(x, rlang::current_env())
   numbers <- function(v) paste(format_si(v), collapse = ", ")
   cat(
-    "<rot_scene> a free body\n",
+    "<rot_scene> ", scene_title(x), "\n",
     "  body      ", shape_of(x$body), "principal moments ",
     numbers(x$moment_of_inertia_kg_m2), " kg m^2\n",
     "  torque    ", describe_free_torque(x), "\n",

@@ -68,7 +68,7 @@ print.rot_scene_gears <- function(x, ...) {
   train <- train_of_scene(x)
   law <- attr(train, "law")
   print_axle(
-    x, "a gear train", paste(describe_moment(x), "the first shaft"),
+    x, scene_title(x), paste(describe_moment(x), "the first shaft"),
     more = describe_shafts(train),
     gears = if (any(x$efficiency < 1)) {
       paste0(
@@ -77,4 +77,9 @@ print.rot_scene_gears <- function(x, ...) {
       )
     }
   )
+}
+
+gears_title <- function(scene) {
+  n <- if (inherits(scene$bodies, "rot_body")) 1L else length(scene$bodies)
+  paste0("A gear train of ", n, " shaft", if (n != 1L) "s")
 }

@@ -38,6 +38,9 @@
 #' @seealso [time_when()] for the time at which it has gone down so far.
 #' @concept pulley
 #' @concept Atwood machine
+#' @concept well
+#' @concept bucket
+#' @concept unwinding rope
 #' @examples
 #' # 0.5 kg on a disk of 2 kg and 0.1 m: a = g/(1 + M/(2 m)) = g/3.
 #' well <- scene_hanging_mass(body_disk(2, 0.1), mass_kg = 0.5)
@@ -75,7 +78,7 @@ pulley_radius <- function(body, axis, call) {
 masses_of <- function(scene) c(scene$mass_kg, scene$counter_mass_kg)
 
 hanging_title <- function(scene) {
-  if (scene$counter_mass_kg > 0) "two masses on a pulley" else "a mass on a pulley"
+  paste(if (scene$counter_mass_kg > 0) "two masses" else "a mass", "hanging from a pulley")
 }
 
 #' @export
@@ -85,13 +88,20 @@ print.rot_scene_hanging_mass <- function(x, ...) {
   own <- if (whole) moment_about_axis(x$body, x$axis) else x$body
   masses <- masses_of(x)
   print_axle(
-    x, hanging_title(x), paste(describe_moment(x), "the axle, masses included"),
+    x, scene_title(x), paste(describe_moment(x), "the axle, masses included"),
     paste0(describe_torque(axle_torque(x)), ", of the weights"),
     more = paste0(
       "  pulley      ", if (whole) x$body$shape else "a body", ", ", format_si(own),
       " kg m^2, rope at ", format_si(x$radius_m), " m\n",
       "  masses      ", paste(format_si(masses[masses > 0]), collapse = " and "),
-      " kg, gravity ", format_si(x$gravity_m_per_s2), " m/s^2\n"
+      " kg, gravity ", format_si(x$gravity_m_per_s2), " m/s^2\n",
+      if (!resists(axle_resistance(x)) && torque_is_zero(given_torque(x))) {
+        driven <- (masses[1] - masses[2]) * x$gravity_m_per_s2 * x$radius_m^2
+        paste0(
+          "  falls       with ", format_si(driven / x$moment_of_inertia_kg_m2), " m/s^2",
+          if (masses[2] > 0) ", the first mass down", "\n"
+        )
+      }
     )
   )
 }

@@ -40,8 +40,10 @@
 #' @concept bifurcation
 #' @examples
 #' # A hoop of 0.2 m that turns at 9 rad/s: the bead leaves the lowest point.
-#' bead <- scene_hoop(0.05, 0.2, 9, theta0_rad = 0.01, resistance = resistance(drag_n_s_per_m =
-#' 0.05)) motion <- trajectory(bead, time_s = 0:8)
+#' bead <- scene_hoop(
+#'   0.05, 0.2, 9, theta0_rad = 0.01, resistance = resistance(drag_n_s_per_m = 0.05)
+#' )
+#' motion <- trajectory(bead, time_s = 0:8)
 #' motion
 #' hoop_equilibria(bead)
 #' audit(motion)

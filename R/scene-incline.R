@@ -37,7 +37,8 @@
 #'   [force_function()] gives it the times of its jumps and kinks.
 #' @param radius_m Radius on which the body rolls, in m; NULL for that of the body.
 #' @param v0_m_per_s,omega0_rad_per_s Velocity down the slope and angular velocity at `start_s`;
-#'   `omega0_rad_per_s = NULL` for a start that rolls, `v0/radius`.
+#'   `omega0_rad_per_s = NULL` for a start that rolls, `v0/radius`. Where it is not given, and a
+#'   moving body could slip, a message (class `rotdyn_message_start`) says that it rolls.
 #' @param x0_m,theta0_rad Place along the slope and angle at `start_s`.
 #' @param gravity_m_per_s2 Acceleration of gravity, at least 0.
 #' @param start_s Time at which the state above holds. Earlier times are an error: the slip before
@@ -55,6 +56,12 @@
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 2.4; Halliday,
 #'   Resnick and Walker, Fundamentals of Physics, section 11-2 (rolling with slip).
 #' @seealso [rolling_table()] for pure rolling, [rolling_friction_coefficient()].
+#' @concept bowling
+#' @concept rolling
+#' @concept slipping
+#' @concept friction
+#' @concept ball
+#' @concept skid
 #' @examples
 #' ball <- body_sphere(6, 0.11)
 #' # A bowling ball slides, then rolls:
@@ -81,7 +88,20 @@ scene_incline <- function(body, incline_angle_deg, ..., static_friction = Inf,
   breaks_s <- if (inherits(force, "rot_force_function")) force$breaks_s
   if (!is.null(breaks_s)) force <- force$f
   if (identical(force, 0)) force <- NULL
-  scene_of_inputs("incline", call)
+  scene <- scene_of_inputs("incline", call)
+  if (missing(omega0_rad_per_s)) say_start_rolls(scene)
+  scene
+}
+
+# With a friction that is given the user may have meant a body that slides at first.
+say_start_rolls <- function(scene) {
+  v0 <- .subset2(scene, "v0_m_per_s")
+  if (v0 == 0 || is.infinite(.subset2(scene, "static_friction"))) return(invisible())
+  omega0 <- format_si(.subset2(scene, "omega0_rad_per_s"))
+  inform_quickly(c(
+    paste0("The body rolls from the start: `omega0_rad_per_s` is ", omega0, ", as none is given."),
+    "`omega0_rad_per_s = 0`: it slides at first. `omega0_rad_per_s = NULL`: it rolls, as now."
+  ), "start")
 }
 
 #' A force that an R function gives
@@ -159,7 +179,7 @@ print.rot_scene_incline <- function(x, ...) {
   check_scene(x, rlang::current_env())
   beta <- x$moment_of_inertia_kg_m2 / x$mass_kg / x$radius_m^2
   cat(
-    "<rot_scene> a body on an incline\n",
+    "<rot_scene> ", scene_title(x), "\n",
     "  body      ", x$body$shape, ", ", format_si(x$mass_kg), " kg, radius ",
     format_si(x$radius_m), " m, I/(m r^2) ", format_si(beta), "\n",
     "  incline   ", format_si(x$incline_angle_deg), " degrees, gravity ",
@@ -198,6 +218,8 @@ print.rot_scene_incline <- function(x, ...) {
 #' @seealso [rolling_friction_coefficient()] and [rolling_critical_angle()] for numbers,
 #'   [scene_incline()].
 #' @concept incline
+#' @concept rolling
+#' @concept slipping
 #' @examples
 #' # University Physics, example 11.1: a hoop on 60 degrees needs 0.866.
 #' friction_needed(scene_incline(body_hoop(1, 0.3), 60, static_friction = 0.5))
@@ -253,6 +275,7 @@ friction_needed <- function(scene, ...) {
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 2.4.
 #' @seealso [rolling_friction_coefficient()], [scene_incline()].
 #' @concept incline
+#' @concept slipping
 #' @examples
 #' rolling_critical_angle(c("hoop", "disk", "sphere"), static_friction = 0.5)
 #' @export

@@ -23,6 +23,7 @@
 #' @concept pendulum
 #' @concept period
 #' @concept swing
+#' @concept grandfather clock
 #' @examples
 #' # A metre stick about its end, let go from horizontal.
 #' pendulum <- scene_pendulum(body_rod_end(0.1, 1), theta0_rad = pi / 2)
@@ -71,7 +72,7 @@ check_names_axle <- function(body, axis, call) {
 #' @export
 print.rot_scene_pendulum <- function(x, ...) {
   check_scene(x, rlang::current_env())
-  print_axle(x, paste(x$body$shape, "on a fixed axle"), paste0(
+  print_axle(x, scene_title(x), paste0(
     describe_moment(x), " the axle, ", format_si(x$distance_m), " m from the centre of mass"
   ))
 }

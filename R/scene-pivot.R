@@ -53,6 +53,7 @@
 #' @concept top
 #' @concept gyroscope
 #' @concept spherical pendulum
+#' @concept spinning top
 #' @examples
 #' # A top on its tip, tilted by 30 degrees, spun and let go:
 #' tilted <- attitude_from(c(1, 0, 0, pi / 6), "axis_angle")
@@ -103,7 +104,11 @@ pivot_inertia <- function(body, pivot_m, mass_kg, centre_m, call) {
     check_body(body, call)
     if (!is.null(mass_kg) || !is.null(centre_m)) {
       abort_rotdyn(
-        "{.arg mass_kg} and {.arg centre_m} are those of the body: they are given twice.",
+        c(
+          "{.arg mass_kg} and {.arg centre_m} are those of the body: they are given twice.",
+          i = "{.arg pivot_m} is where the body is held, in its own axes: {.code pivot_m = c(0, 0,
+               -0.1)} on the axis of a disk, 0.1 m below its centre."
+        ),
         "value", call
       )
     }
@@ -141,7 +146,7 @@ print.rot_scene_pivot <- function(x, ...) {
   check_scene(x, rlang::current_env())
   numbers <- function(v) paste(format_si(v), collapse = ", ")
   cat(
-    "<rot_scene> a body with a fixed point\n",
+    "<rot_scene> ", scene_title(x), "\n",
     "  body      ", shape_of(x$body), "principal moments ",
     numbers(x$moment_of_inertia_kg_m2), " kg m^2 about the point\n",
     "  gravity   ", format_si(x$mass_kg), " kg at ", numbers(x$centre_m), " m from the point\n",
@@ -184,4 +189,27 @@ table_of_tops.rot_scene_pivot <- function(tops, beside, call) {
     axis_angle_deg = atan2(sqrt(sum(up[1:2]^2)), up[3]) * 180 / pi,
     gravity_m_per_s2 = tops$gravity_m_per_s2
   ), nrow = 1L)
+}
+
+# A symmetric body that spins about its axis, a point of which is held, is a gyroscope or a top.
+pivot_title <- function(scene) {
+  body <- sentence(scene_body(scene))
+  along <- symmetry_axis(scene)
+  spins <- length(along) && (length(scene$rotors) || sum(along * scene$omega0_rad_per_s) != 0)
+  if (spins) {
+    paste("A gyroscope or top:", lower_first(body), "with a fixed point")
+  } else {
+    paste(body, "with a fixed point")
+  }
+}
+
+# Where the centre of mass is on it: a unit vector in body axes, or NULL.
+symmetry_axis <- function(scene) {
+  if (!identical(scene$axes, c(1, 0, 0, 0))) return(NULL)
+  moments <- scene$moment_of_inertia_kg_m2
+  centre <- scene$centre_m
+  for (k in 1:3) {
+    same <- abs(diff(moments[-k])) <= 1e-9 * max(moments)
+    if (same && max(abs(centre[-k])) <= 1e-9 * max(abs(centre))) return(as.double(1:3 == k))
+  }
 }

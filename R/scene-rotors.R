@@ -213,7 +213,7 @@ print.rot_scene_rotors <- function(x, ...) {
   }
   n <- length(x$moment_of_inertia_kg_m2)
   cat(
-    "<rot_scene> ", n, if (n == 1L) " rotor" else " rotors", " on one shaft\n",
+    "<rot_scene> ", scene_title(x), "\n",
     "  inertia    ", list_of(x$moment_of_inertia_kg_m2), " kg m^2 about the shaft\n",
     "  stiffness  ", list_of(x$stiffness_n_m_per_rad), " N m/rad between neighbours\n",
     "  damping    ", list_of(x$damping_n_m_s), " N m s between neighbours, ",

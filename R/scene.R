@@ -36,6 +36,12 @@
 #' @concept wheel
 #' @concept disc
 #' @concept fixed axis
+#' @concept merry-go-round
+#' @concept motor
+#' @concept turntable
+#' @concept pulley
+#' @concept fan
+#' @concept torque
 #' @examples
 #' scene_axle(
 #'   body_disk(mass_kg = 2, radius_m = 0.25),
@@ -87,22 +93,28 @@ braked_axle <- function(scene, brake, call) {
 say_axle_in_centre <- function(scene) {
   body <- .subset2(scene, "body")
   if (!inherits(body, "rot_body")) return(invisible())
-  centre <- as.double(.subset2(body, "centre_m"))
-  if (all(centre == 0) || nzchar(axis_shape(body))) return(invisible())
-  axis <- .subset2(scene, "axis")
-  off <- centre - sum(centre * axis) * axis
-  size <- sqrt(sum(diag(body$second_moment_kg_m2)) / body$mass_kg)
-  if (!is.finite(size)) size <- 0
-  if (max(abs(off)) <= 16 * .Machine$double.eps * (size + max(abs(centre)))) return(invisible())
+  off <- off_own_axis(body, .subset2(scene, "axis"))
+  if (off == 0) return(invisible())
   cli::cli_inform(
     c(
-      "The axle is taken through the centre of mass, {format_si(sqrt(sum(off^2)))} m from the
-       body's own axis.",
+      "The axle is taken through the centre of mass, {format_si(off)} m from the body's own axis.",
       i = "{.code through = \"centre\"} says that it is meant; {.code through = \"origin\"} takes
            the own axis instead."
     ),
     class = c("rotdyn_message_axle", "rotdyn_message")
   )
+}
+
+# Distance in m of the centre of mass from the own axis of that direction: 0 within rounding, and of
+# a body that names its axle.
+off_own_axis <- function(body, axis) {
+  centre <- as.double(.subset2(body, "centre_m"))
+  if (all(centre == 0) || nzchar(axis_shape(body))) return(0)
+  off <- centre - sum(centre * axis) * axis
+  size <- sqrt(sum(diag(body$second_moment_kg_m2)) / body$mass_kg)
+  if (!is.finite(size)) size <- 0
+  if (max(abs(off)) <= 16 * .Machine$double.eps * (size + max(abs(centre)))) return(0)
+  sqrt(sum(off^2))
 }
 
 # How the moment of inertia changes in time, or NULL.
@@ -135,7 +147,7 @@ print.rot_scene_axle <- function(x, ...) {
   body <- .subset2(x, "body")
   turns <- changing_inertia(x)
   print_axle(
-    x, paste(if (inherits(body, "rot_body")) body$shape else "a body", "on a fixed axle"),
+    x, scene_title(x),
     inertia = if (is.null(turns)) {
       about <- if (inherits(body, "rot_body")) describe_point(body, x$through)
       paste0(describe_moment(x), " the axle", if (length(about)) paste0(", ", about))

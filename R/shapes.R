@@ -303,6 +303,9 @@ shape_constructor <- function(shape) {
 #'   triangle and its prism: Ixy = -m h (2 p - b) / 36.
 #' @seealso The constructors: [body_shapes], [body_plates], [body_shells], [body_round_solids],
 #'   [body_flat_faced_solids]; [inertia_table()] for numbers.
+#' @concept list of shapes
+#' @concept moment of inertia
+#' @concept formulas
 #' @examples
 #' shapes()
 #' subset(shapes(), family == "plates", c(shape, sizes, izz_formula))

@@ -66,6 +66,10 @@
 #' @concept statics
 #' @concept equilibrium
 #' @concept free body diagram
+#' @concept ladder
+#' @concept seesaw
+#' @concept lever
+#' @concept support forces
 #' @examples
 #' # A beam of 20 kg and 4 m on two supports, with a box of 50 kg at 1 m.
 #' static_equilibrium(

@@ -22,21 +22,23 @@
 #'   terminal speed is 0 where friction holds the last torque, and infinite where nothing resists
 #'   it; where in the end nothing acts at all, it is the speed left.
 #'
-#'   Of the others the columns `stop_time_s`, when all is at rest, and the place where: `stop_x_m` and
-#'   `stop_theta_rad` on an incline, `stop_theta_rad` of a bead, `rotor` and `stop_theta_rad` with a
-#'   row for each rotor of a drive. On an incline also `terminal_v_m_per_s`: where the body never
-#'   stops, `stop_time_s` is Inf, the place is NaN, and the speed is what it tends to, infinite where
-#'   it is accelerated for good.
+#'   Of the others the columns `stop_time_s`, when all is at rest, and the place where: `stop_x_m`
+#'   and `stop_theta_rad` on an incline, `stop_theta_rad` of a bead, `rotor` and `stop_theta_rad`
+#'   with a row for each rotor of a drive. On an incline also `terminal_v_m_per_s`: where the body
+#'   never stops, `stop_time_s` is Inf, the place is NaN, and the speed is what it tends to,
+#'   infinite where it is accelerated for good.
 #' @section Errors: `rotdyn_error_type`; `rotdyn_error_model` where the closed form does not fit
 #'   (see [choose_model()], model `axle_drag`), where a law changes in time or is a function, and
-#'   where nothing is seen to stop: a scene without dry friction, or one still in motion 4^10 s after
-#'   the last change of its laws.
+#'   where nothing is seen to stop: a scene without dry friction, or one still in motion 4^10 s
+#'   after the last change of its laws.
 #' @source Riccati's equation; Armstrong-Helouvry, Control of Machines with Friction (1991), chapter
 #'   2.
 #' @seealso [time_when()], [motion_events()], [resistance()].
 #' @concept brake
 #' @concept coast-down
 #' @concept terminal speed
+#' @concept friction
+#' @concept braking
 #' @examples
 #' # A flywheel that coasts down: J = 2.5 kg m^2, dry, viscous and quadratic losses.
 #' losses <- resistance(0.004, 2e-5, coulomb_n_m = 0.05)
@@ -94,6 +96,20 @@ terminal_omega <- function(scene, omega, call) {
 }
 
 # ---- by the motion itself -----------------------------------------------------------------------
+
+# Of a scene that dry friction or a brake stops; `...`: columns of the place, by the names of the
+# answer.
+stops_at_rest <- function(...) {
+  place <- c(...)
+  function(scene, call) {
+    constraint <- constraint_of(scene)
+    held <- c("friction", "brake") %in% core_effects(constraint$id, scene)
+    if (!any(held)) abort_never_rests(scene, call)
+    found <- rest_of_motion(scene, "omega_rad_per_s", call) %||% abort_no_stop(call)
+    at <- stats::setNames(unclass(found$row)[place], names(place))
+    do.call(as_table, c(unclass(found$row)[constraint$index], stop_time_s = found$time_s, at))
+  }
+}
 
 # The time from which a motion that ends at rest is at rest, and its row: NULL if it is not seen to
 # end so in 4^10 s beyond the last change of a law. `rates`: the columns that are 0 at rest.

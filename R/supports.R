@@ -22,7 +22,7 @@
 #'   their extent. Elsewhere [static_equilibrium()] asks for it: a wall is no floor.
 #' @param friction Coefficient of static friction, at least 0; Inf: a surface that never slides.
 #' @param to_m The other end of a cable or rod.
-#' @param axis Direction of the hinge's axis: three numbers.
+#' @param axis Direction of the hinge's axis: `"x"`, `"y"`, `"z"` or three numbers.
 #' @param slides Whether the hinge lets the body slide along its axis.
 #' @param ... Not used: an unknown argument is an error.
 #' @param name Name of the support.
@@ -32,11 +32,18 @@
 #' @source Hibbeler, Engineering Mechanics: Statics, 14th ed. (2016), chapter 5.
 #' @seealso [static_equilibrium()], [forces()].
 #' @concept reaction
+#' @concept hinge
+#' @concept ladder
+#' @concept cable
+#' @concept support
 #' @examples
 #' support_pin(c(0, 0))
 #' support_surface(c(4, 0), friction = 0.4, name = "floor")
 #' support_surface(c(2, 4), normal = c(-1, 0), name = "wall")
 #' support_cable(c(3, 0), to_m = c(0, 2))
+#' support_rod(c(3, 0), to_m = c(0, -2))
+#' support_fixed(c(0, 0))
+#' support_hinge(c(0, 0, 2), axis = "z", slides = TRUE, name = "upper hinge") # of a door
 #' @name supports
 NULL
 
@@ -81,7 +88,7 @@ support_hinge <- function(at_m, axis, slides = FALSE, ..., name = "hinge") {
       "{.arg slides} must be {.code TRUE} or {.code FALSE}.", x = "It is {describe_value(slides)}."
     ), "type", call)
   }
-  out <- new_support("hinge", at_m, name, call, normal = axis, arg = "axis")
+  out <- new_support("hinge", at_m, name, call, normal = as_axis(axis, call), arg = "axis")
   if (length(out$at_m) == 2L) {
     abort_rotdyn(c(
       "A hinge has an axis in space: {.arg at_m} must have three numbers.",

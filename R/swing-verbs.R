@@ -17,6 +17,8 @@
 #'   motion fitted (`from` is `"swings"`), `rotdyn_error_time`, `rotdyn_error_type`,
 #'   `rotdyn_error_argument`.
 #' @seealso [fit_swing()], [as_scene()].
+#' @concept extrapolate
+#' @concept other times
 #' @examples
 #' swing <- scene_pendulum(body_rod_end(0.2, 0.6), resistance = resistance(0.002), theta0_rad = 0.8)
 #' samples <- trajectory(swing, seq(0, 12, by = 0.04))

@@ -153,7 +153,7 @@ describe_input <- function(x) {
 print.rot_scene <- function(x, ...) {
   check_scene(x, rlang::current_env())
   constraint <- constraint_of(x)
-  cat("<rot_scene> ", lower_first(constraint$title(list(scene = x, solved = x))), "\n", sep = "")
+  cat("<rot_scene> ", scene_title(x), "\n", sep = "")
   given <- Filter(Negate(is.null), unclass(x)[names(constraint$inputs)])
   for (name in names(given)) {
     unit <- constraint$inputs[[name]]$unit

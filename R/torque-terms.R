@@ -105,6 +105,11 @@ window_text <- function(from_s, to_s) {
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
 #'   `rotdyn_error_time` (times not in order, a pulse too short), `rotdyn_error_unit`.
 #' @seealso [torque] for constants, knots and R functions.
+#' @concept power
+#' @concept sinusoidal torque
+#' @concept exponential torque
+#' @concept spring
+#' @concept motor torque
 #' @examples
 #' torque_steps(c(0, 2, 5), c(0.8, 0.3, 0))
 #' torque_polynomial(c(0, 1), c(0, 0, 3)) # 3 t^2 for a second

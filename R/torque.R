@@ -53,6 +53,10 @@ new_torque <- function(class, ...) {
 #' @seealso [torque-terms] for motors, springs, gravity and sinusoids; [scene_axle()],
 #'   [torque_of_force()], [autoplot.rot_torque()].
 #' @concept moment of force
+#' @concept motor
+#' @concept power
+#' @concept torque
+#' @concept pulse
 #' @examples
 #' torque_knots(time_s = c(0, 1, 4, 6, 8), torque_n_m = c(0, 0.8, 0.8, 0, 0))
 #' torque_knots(c(50, 50.02), c(40, 40)) # a pulse, nothing before and after
@@ -173,7 +177,9 @@ as_torque <- function(x, call) {
     abort_rotdyn(c(
       "{.arg torque} must be a torque law, a function, or one number in N m.",
       x = "It is {describe_value(x)}.",
-      i = "See {.help rotdyn::torque}."
+      i = if (inherits(x, c("rot_resistance", "rot_brake"))) resistance_remedy(x) else
+        "Laws are {.fn torque_constant}, {.fn torque_knots} and others that begin with
+         {.code torque_}."
     ), "type", call)
   }
 }
@@ -231,4 +237,14 @@ print.rot_torque <- function(x, ...) {
   check_form(x, torque_form, "x", "torque law", rlang::current_env())
   cat("<rot_torque> ", describe_torque(x), "\n", sep = "")
   invisible(x)
+}
+
+# Of a resistance, or a brake of a drive, in the place of something else.
+resistance_remedy <- function(x) {
+  if (inherits(x, "rot_brake")) {
+    "A brake that drags all the time is {.code resistance = resistance(coulomb_n_m = )};
+     {.fn brake} is one of a {.fn scene_drive}."
+  } else {
+    "What resists is given by name: {.code resistance = resistance(...)}."
+  }
 }

@@ -61,6 +61,10 @@
 #'   [time_when()], [compare_runs()], [autoplot.rot_trajectory()], [animate_motion()].
 #' @concept simulation
 #' @concept motion
+#' @concept RK4
+#' @concept Runge-Kutta
+#' @concept integrator
+#' @concept fixed step
 #' @examples
 #' scene <- scene_axle(
 #'   body_disk(mass_kg = 2, radius_m = 0.25),
@@ -477,6 +481,7 @@ tbl_sum.rot_trajectory <- function(x, ...) {
   ends <- constraint_of(run$scene)$ends
   c(
     "A rotdyn trajectory" = paste(format(nrow(x), big.mark = ","), "x", ncol(x)),
+    "Scene" = scene_title(run$scene),
     "Model" = paste0(run$model, ", accuracy asked ", format(run$accuracy, digits = 3)),
     "Why" = describe_why(run),
     "Error" = describe_error(run),
@@ -587,6 +592,8 @@ glance.rot_trajectory <- function(x, ...) {
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_time` for infinite times, and those of
 #'   [trajectory()].
 #' @seealso [trajectory()], [time_when()].
+#' @concept interpolate
+#' @concept other times
 #' @examples
 #' predict(spin_up(), time_s = c(7.5, NA, 1 / 3))
 #' @export
@@ -686,7 +693,8 @@ motion_events.rot_trajectory <- function(x) {
 #'
 #' Builds a [scene_axle()] and computes its [trajectory()]. With no argument it is the standard
 #' example: a disk of 2 kg and 0.25 m, damped with 0.03 N m s, under a torque that rises to 0.8 N m
-#' in 1 s, is constant for 3 s, falls to 0 in 2 s, and stays 0.
+#' in 1 s, is constant for 3 s, falls to 0 in 2 s, and stays 0. A body of your own is not damped
+#' unless `resistance` says so.
 #'
 #' @inheritParams scene_axle
 #' @inheritParams trajectory
@@ -697,17 +705,20 @@ motion_events.rot_trajectory <- function(x) {
 #'   many.
 #' @concept flywheel
 #' @concept wheel
+#' @concept motor
+#' @concept angular acceleration
 #' @examples
 #' spin_up()
-#' spin_up(body_sphere(5, 0.1), torque_constant(0.2), time_s = 0:10)
+#' spin_up(body_sphere(5, 0.1), torque = 0.2, time_s = 0:10)
 #' @export
 spin_up <- function(body = body_disk(2, 0.25),
                     torque = torque_knots(c(0, 1, 4, 6, 8), c(0, 0.8, 0.8, 0, 0)),
-                    resistance = 0.03, time_s = seq.int(0, 8, length.out = 1000), ...,
+                    resistance = if (missing(body)) 0.03,
+                    time_s = seq.int(0, 8, length.out = 1000), ...,
                     theta0_rad = 0, omega0_rad_per_s = 0, accuracy = 1e-9, model = NULL) {
   call <- environment()
   check_no_dots(...)
-  if (is.numeric(resistance)) {
+  if (is.numeric(resistance)) { # before `body` is given
     resistance <- new_resistance(check_number(resistance, "resistance", "N*m*s", call))
   }
   body <- body # given, for what describes the scene

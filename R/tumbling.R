@@ -26,6 +26,8 @@
 #' @concept Dzhanibekov
 #' @concept intermediate axis theorem
 #' @concept tennis racket theorem
+#' @concept tennis racket
+#' @concept wing nut
 #' @examples
 #' flip_time(c(1, 2, 3), c(0.01, 4, 0.01))
 #' flip_time(scene_free(c(1, 2, 3), c(0.01, 4, 0.01)))
@@ -103,6 +105,8 @@ rows_of_three <- function(x, arg, unit, call) {
 #' @seealso [flip_time()], [principal_axes()].
 #' @concept Dzhanibekov
 #' @concept intermediate axis theorem
+#' @concept tennis racket
+#' @concept intermediate axis
 #' @examples
 #' spin_stability(c(1, 2, 3))
 #' spin_stability(body_box(0.2, 0.02, 0.1, 0.2))
@@ -150,6 +154,9 @@ spin_stability <- function(body, ...) {
 #'   which has no period), `rotdyn_error_argument`, `rotdyn_error_missing`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 5.6.
 #' @seealso [flip_time()], [scene_free()].
+#' @concept tennis racket
+#' @concept herpolhode
+#' @concept stability
 #' @examples
 #' nut <- scene_free(c(1, 2, 3), c(0.01, 4, 0.01))
 #' path <- polhode(nut)

@@ -17,6 +17,7 @@
 #' @seealso [scene_axle()], [body_shapes], [write_scene()].
 #' @concept change
 #' @concept parameter
+#' @concept change one thing
 #' @importFrom stats update
 #' @examples
 #' wheel <- scene_axle(body_disk(2, 0.25), 0.8, resistance(0.03))

@@ -42,11 +42,15 @@
 #' @seealso [choose_model()] predicts what this function measures.
 #' @source Work-precision diagrams as in Hairer, Norsett and Wanner, Solving Ordinary Differential
 #'   Equations I, 2nd ed. (1993), section II.10.
+#' @concept RK4
+#' @concept Runge-Kutta
+#' @concept benchmark
+#' @concept cost of accuracy
 #' @examples
 #' scene <- scene_axle(body_disk(2, 0.25), torque_constant(0.8), resistance(0.03))
 #' work_precision(scene, 0:8, accuracies = c(1e-3, 1e-9), least_batch_s = 0.002)
-#' # A right-hand side and a method of one's own, beside Euler, semi-implicit Euler and Runge-Kutta of
-#' # the package, and beside the closed form of the same pendulum.
+#' # A right-hand side and a method of one's own, beside Euler, semi-implicit Euler and Runge-Kutta
+#' of # the package, and beside the closed form of the same pendulum.
 #' alpha <- function(time_s, theta_rad, omega_rad_per_s) -9.80665 * sin(theta_rad)
 #' mine <- scene_axle(1, alpha, theta0_rad = 1) # 1 kg m^2: the torque is the acceleration
 #' my_euler <- function(scene, time_s, accuracy, step_s = 0.01) {

@@ -16,8 +16,9 @@ lines=$(awk '
   c && /^[ \t]*\/\*/ { if (!/\*\//) open = 1; next }
   /[^ \t]/ { n++ }
   END { print n }' $own)
-others=$(find R src -name '*.[Rch]' ! -name '*hoop*' |
-  xargs grep -lE '(scene|rot|draw)_hoop|hoop_(constraint|frames)|scene/hoop' | sort)
+others=$(find R src -name '*.[Rch]' ! -name '*hoop*' -exec \
+  grep -HE "^[^#]*((scene|rot|draw)_hoop|hoop_(constraint|frames)|scene/hoop)|#include .scene/hoop" {} + |
+  cut -d: -f1 | sort -u)
 n=$(echo "$others" | wc -l)
 echo "constraint cost: $lines lines of code, named in $n other files:" $others
 test "$lines" -le "$most" && test "$n" -le "$files"

@@ -59,7 +59,12 @@ test_that("a value that was edited is found out", {
 })
 
 test_that("rows that are one or none; what is no trajectory", {
-  expect_equal(audited(trajectory(article_scene(), 3))$verdict, "balanced")
+  expect_warning(one <- audit(trajectory(article_scene(), 3)), "time_s = c\\(0, 3\\)",
+                 class = "rotdyn_warning_time")
+  expect_equal(one$verdict, c("balanced", "balanced"))
+  # At the start there is nothing to say; twice the same time may be a jump.
+  expect_no_warning(audit(trajectory(article_scene(), 0)))
+  expect_no_warning(audit(trajectory(article_scene(), c(3, 3))))
   expect_true(is.na(audited(trajectory(article_scene(), numeric()))$work_j))
   expect_error(audit(data.frame(time_s = 1)), class = "rotdyn_error_type")
 })
@@ -110,7 +115,7 @@ test_that("a jump of the inertia does work, wherever it lies between the rows", 
       scene <- scene_axle(jump, omega0_rad_per_s = omega0, start_s = start)
       for (t in list(c(0, 3), c(0, 1), c(1, 3), c(0, 1, 1, 3), 1)) {
         m <- trajectory(scene, t, model = model)
-        a <- audited(m)
+        a <- suppressWarnings(audited(m), "rotdyn_warning_time")
         done <- if (t[1] < 1) 15 else 0
         expect_equal(a$verdict, "balanced")
         expect_equal(a$inertia_work_j, done, tolerance = 1e-12)

@@ -214,7 +214,7 @@ test_that("an effect is left out with its bound where nothing exact takes the sc
   thin <- scene_drop(100, drag_kg_per_m = 1e-9)
   motion <- trajectory(thin, 0:3, 1e-6)
   expect_equal(run_of(motion)$model, "drop_free")
-  expect_match(format(motion)[5], "drag of the air ignored")
+  expect_match(format(motion)[6], "drag of the air ignored")
   true <- thin$height_m - 2 / 1e-9 * log(cosh(G * 3 / drop_terminal(thin)))
   expect_gt(run_of(motion)$info$error, abs(motion$height_m[4] - true) / 100)
   expect_equal(run_of(trajectory(thin, 0:3, 1e-9))$model, "drop_rk4")

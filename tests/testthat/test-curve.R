@@ -152,7 +152,7 @@ test_that("tables, derivatives given, paths", {
   expect_equal(arrival(given, 0.1, 2)$time_s, exact$time_s, tolerance = 1e-15)
   path <- curve_path(function(u) u^2, function(u) 0.5 * (u^2 - 2)^2)
   expect_equal(arrival(path, sqrt(0.1), sqrt(2))$time_s, exact$time_s, tolerance = 1e-14)
-  expect_output(print(path), "<curve> path")
+  expect_output(print(path), "<rot_curve> path")
 })
 
 test_that("barriers and dips far narrower than the rows end the motion", {

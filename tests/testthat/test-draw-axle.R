@@ -76,5 +76,5 @@ test_that("masses hang from their pulley at the radius of the rope", {
   expect_true(all(c("m[1]", "m[2]", "r[1]") %in% look$quantities$symbol))
   alone <- drawing(scene_hanging_mass(0, 1.1, 0.05))
   expect_false("m[2]" %in% alone$quantities$symbol)
-  expect_equal(alone$title, "A mass on a pulley")
+  expect_equal(alone$title, "A mass hanging from a pulley")
 })

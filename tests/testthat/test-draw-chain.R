@@ -7,7 +7,7 @@ test_that("a chain is drawn from its pivot to its end", {
   skip_if_not_installed("ggplot2")
   expect_match(ggplot2::autoplot(chain)$labels$alt, "lengths 1, 3 m")
   rods <- scene_chain(c(1, 3), 1, c(0.5, 2))
-  expect_match(ggplot2::autoplot(rods)$labels$title, "Two rods")
+  expect_match(ggplot2::autoplot(rods)$labels$title, "A double pendulum: two rods")
   skip_if_not_installed("gifski")
   motion <- trajectory(rods, c(0, 0.5, 1))
   frames <- chain_frames(rods, motion)

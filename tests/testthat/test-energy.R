@@ -43,3 +43,25 @@ test_that("an energy that is a double is found; what is beyond is said", {
     class = "rotdyn_warning_range")
   expect_silent(energy_partition(1, 1, mass_kg = NA, radius_m = 1))
 })
+
+test_that("kinetic energy of what turns, flies, or does both", {
+  expect_identical(kinetic_energy(body_disk(2, 0.5), c(2, NA)), c(0.5, NA))
+  expect_identical(kinetic_energy(0.25, 2), 0.5)
+  # m v^2/2 + I omega^2/2.
+  expect_identical(kinetic_energy(body_disk(2, 0.5), 2, 3), 9.5)
+  expect_identical(kinetic_energy(0.25, 2, 3, mass_kg = 2), 9.5)
+  # On its axle: about the end; in flight: about the centre of mass.
+  rod <- body_rod_end(3, 2)
+  expect_equal(kinetic_energy(rod, 1), 2)
+  expect_equal(kinetic_energy(rod, 1, 1), 0.5 + 1.5)
+  # A body that rolls, as energy_partition() has it.
+  ball <- body_sphere(2, 0.1)
+  expect_equal(kinetic_energy(ball, 30, 3), energy_partition(ball, 3)$total_kinetic_energy_j)
+  expect_error(kinetic_energy(0.25, 2, 3), class = "rotdyn_error_missing")
+  expect_error(kinetic_energy(body_disk(2, 0.5), 2, mass_kg = 3), class = "rotdyn_error_argument")
+  expect_error(kinetic_energy(-1, 2), class = "rotdyn_error_value")
+  expect_error(kinetic_energy(1, 2, 3, mass_kg = -1), class = "rotdyn_error_value")
+  expect_error(kinetic_energy(1:2, 1:3), class = "rotdyn_error_size")
+  expect_error(kinetic_energy(1), class = "rotdyn_error_missing")
+  expect_warning(kinetic_energy(1, 1e200), class = "rotdyn_warning_range")
+})

@@ -144,6 +144,10 @@ test_that("segments that overlap in time need a number", {
   expect_error(predict(motion, 2, segment = 3), class = "rotdyn_error_value")
 })
 
+test_that("the loss of a collision is said to be a column of it", {
+  expect_error(energy_loss(disks_lock(1, 3, 60, 0)), "friction_loss_j", class = "rotdyn_error_type")
+})
+
 test_that("glance tells the smoothness that was fitted", {
   time <- seq(0, 4, by = 0.02)
   set.seed(4)

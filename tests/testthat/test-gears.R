@@ -184,7 +184,7 @@ test_that("a train whose loss exceeds its torques stays at rest, and one without
 test_that("a gear train prints its shafts with their ratios", {
   scene <- scene_gears(c(0.01, 0.5, 2), ratios = c(5, -2), torque = c(1, 0, 0))
   shown <- capture.output(print(scene))
-  expect_equal(shown[1], "<rot_scene> a gear train")
+  expect_equal(shown[1], "<rot_scene> a gear train of 3 shafts")
   expect_match(shown[2], "^  shaft 1     0.01 kg m\\^2, ratio to the first 1$")
   expect_match(shown[3], "^  shaft 2     0.5 kg m\\^2, ratio to the first 5$")
   expect_match(shown[4], "^  shaft 3     2 kg m\\^2, ratio to the first -10$")

@@ -69,10 +69,56 @@ test_that("the words that people look for lead to the pages", {
   expect_contains <- function(word, page) {
     expect_true(all(page %in% found(word)), info = paste(word, "->", toString(found(word))))
   }
-  expect_contains("period", c("period_of", "scene_pendulum"))
-  expect_contains("brake", c("resistance", "couplings", "stopping"))
-  expect_contains("disc", "body_plates")
-  expect_contains("ring", c("body_plates", "body_shapes"))
-  expect_contains("flywheel", "scene_axle")
-  expect_contains("moment", c("inertia_tensor", "inertia_table"))
+  # A student's word, and the pages that answer it.
+  pages_of_words <- list(
+    ladder = c("static_equilibrium", "supports"), bowling = c("scene_incline", "impact"),
+    bicycle = c("point_motion", "precession_table", "gear_train"),
+    wheel = c("scene_axle", "point_motion", "body_plates"),
+    power = c("augment.rot_trajectory", "torque"), rk4 = c("trajectory", "work_precision"),
+    lever = c("torque_of_force", "static_equilibrium"),
+    seesaw = c("static_equilibrium", "forces"), "yo-yo" = "relatives",
+    pulley = c("scene_hanging_mass", "relatives"), flywheel = c("scene_axle", "kinetic_energy"),
+    skater = "inertia_knots", gyroscope = c("scene_pivot", "precession_table"),
+    "spinning top" = c("scene_pivot", "precession_table"),
+    "merry-go-round" = c("scene_axle", "disks", "compound"),
+    pendulum = c("scene_pendulum", "scene_chain", "period_of", "fit_swing"),
+    brake = c("resistance", "couplings", "stopping"), motor = c("torque", "scene_axle"),
+    gear = c("gear_train", "couplings"), clutch = c("scene_clutch", "clutch_engagement"),
+    rpm = c("convert_angle", "angular_motion"),
+    "moment of inertia" = c("inertia_tensor", "inertia_table", "parallel_axis", "body_points"),
+    "parallel axis" = c("parallel_axis", "inertia_tensor", "compound"),
+    torque = c("torque", "torque_of_force", "scene_axle"),
+    "angular momentum" = c("torque_of_force", "angular_impulse", "conserved"),
+    conservation = c("conserved", "audit", "disks"),
+    collision = c("collide", "impact", "disks", "collision_ledger"),
+    rolling = c("scene_incline", "rolling_table", "rolling_functions", "roll_race"),
+    friction = c("resistance", "friction_needed", "scene_incline"),
+    equilibrium = "static_equilibrium", coriolis = c("to_rotating_frame", "earth_projectile"),
+    "tennis racket" = c("flip_time", "scene_free", "spin_stability"),
+    period = c("period_of", "scene_pendulum"), disc = "body_plates",
+    ring = c("body_plates", "body_shapes"),
+    "kinetic energy" = c("kinetic_energy", "energy_partition")
+  )
+  for (word in names(pages_of_words)) expect_contains(word, pages_of_words[[word]])
+  for (name in names(pages)) {
+    expect_gt(length(parts_of(pages[[name]], "\\concept")), 0, label = paste("words for", name))
+  }
+})
+
+test_that("every export is used in a lesson or in an example", {
+  root <- Sys.getenv("ROTDYN_ROOT", file.path("..", ".."))
+  lessons <- list.files(file.path(root, "vignettes"), "[.]Rmd$", full.names = TRUE)
+  skip_if(!length(lessons), "no sources of the lessons")
+  chunks <- unlist(lapply(lessons, function(file) {
+    lines <- readLines(file, encoding = "UTF-8")
+    fence <- grepl("^```", lines)
+    inside <- cumsum(fence) %% 2 == 1 & !fence
+    starts <- lines[fence][cumsum(fence)[inside]]
+    lines[inside][grepl("^```\\{r", starts)]
+  }))
+  examples <- unlist(lapply(help_pages(), parts_of, "\\examples"))
+  code <- sub("^\\s*#.*", "", unlist(strsplit(c(chunks, examples), "\n")))
+  matches <- function(pattern) unlist(regmatches(code, gregexpr(pattern, code, perl = TRUE)))
+  called <- matches("[A-Za-z_.][A-Za-z0-9_.]*(?=\\()")
+  expect_identical(setdiff(getNamespaceExports("rotdyn"), called), character())
 })

@@ -210,8 +210,6 @@ test_that("the errors say what to do", {
 test_that("bad arguments are refused by class", {
   disk <- body_disk(2, 0.25)
   expect_error(inertia_tensor(), class = "rotdyn_error_missing")
-  expect_error(moment_of_inertia(disk), class = "rotdyn_error_missing")
-  expect_error(radius_of_gyration(disk), class = "rotdyn_error_missing")
   expect_error(inertia_tensor(1), class = "rotdyn_error_type")
   expect_error(moment_of_inertia("disk", "z"), class = "rotdyn_error_type")
   expect_error(radius_of_gyration(NULL, "z"), class = "rotdyn_error_type")
@@ -276,7 +274,25 @@ test_that("print shows no roundings off the diagonal of a turned tensor", {
   expect_false(any(grepl("e-", shown, fixed = TRUE)))
 })
 
-test_that("a missing axis is asked for with its choices", {
-  e <- expect_error(moment_of_inertia(body_disk(1, 2)), class = "rotdyn_error_missing")
+test_that("the axis is z where none is given, as that of an axle", {
+  expect_identical(moment_of_inertia(body_disk(2, 0.5)), 0.25)
+  expect_identical(radius_of_gyration(body_hoop(2, 0.5)), 0.5)
+  e <- expect_error(rotation_about(angle_deg = 3), class = "rotdyn_error_missing")
   expect_match(cli::ansi_strip(conditionMessage(e)), '"x", "y", or "z"', fixed = TRUE)
+})
+
+test_that("an axis beside the own one is said, with the moment about that", {
+  wheel <- join_bodies(body_disk(500, 2), place_body(body_point(25), c(1, 0, 0)))
+  said <- function(expr) {
+    tryCatch({
+      expr
+      ""
+    }, rotdyn_message_axle = function(m) cli::ansi_strip(conditionMessage(m)))
+  }
+  # I = m R^2/2 + M d^2 about the own axis.
+  expect_match(said(moment_of_inertia(wheel)), "about the own axis it is 1025 kg m^2", fixed = TRUE)
+  expect_identical(said(moment_of_inertia(wheel, through = "centre")), "")
+  expect_identical(said(moment_of_inertia(wheel, "x")), "")
+  expect_identical(said(moment_of_inertia(body_rod_end(1, 2))), "")
+  expect_equal(moment_of_inertia(wheel, through = "origin"), 1025)
 })

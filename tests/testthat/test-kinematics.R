@@ -210,3 +210,23 @@ test_that("what exceeds double precision is said", {
     class = "rotdyn_warning_range"
   )
 })
+
+test_that("a wheel by its speed, and units as in names of arguments", {
+  wheel <- point_motion(radius_m = c(0.35, 0.5), speed_m_per_s = 5)
+  expect_equal(wheel$omega_rad_per_s, c(5 / 0.35, 10))
+  expect_equal(wheel$tangential_speed_m_per_s, c(5, 5))
+  expect_equal(point_motion(radius_m = body_disk(1, 0.5), speed_m_per_s = 5)$omega_rad_per_s, 10)
+  expect_identical(point_motion(radius_m = 1, speed_m_per_s = NA)$omega_rad_per_s, NA_real_)
+  expect_error(point_motion(1, 2, speed_m_per_s = 3), class = "rotdyn_error_argument")
+  expect_error(point_motion(radius_m = 0, speed_m_per_s = 3), class = "rotdyn_error_value")
+  expect_error(point_motion(radius_m = 1:2, speed_m_per_s = 1:3), class = "rotdyn_error_size")
+  expect_error(point_motion(radius_m = 1e-300, speed_m_per_s = 1e300), class = "rotdyn_error_range")
+  expect_error(point_motion(radius_m = 1), class = "rotdyn_error_missing")
+  for (unit in c("rad/s", "degree/s", "turn/s")) {
+    in_name <- sub("/", "_per_", unit)
+    expect_identical(convert_angle(7, "rpm", in_name), convert_angle(7, "rpm", unit))
+  }
+  expect_identical(convert_angle(7, "deg_per_s", "rad_per_s"), convert_angle(7, "deg/s", "rad/s"))
+  expect_error(angular_motion(omega_rad_per_s = 1, time_s = 2), "alpha_rad_per_s2.* is 0",
+               class = "rotdyn_error_missing")
+})

@@ -83,6 +83,29 @@ test_that("a table of many columns is looked through once for each word", {
   )
 })
 
+test_that("messages say what another function is for, and what is missing", {
+  said <- function(expr) {
+    cli::ansi_strip(conditionMessage(tryCatch(expr, rotdyn_error = identity)))
+  }
+  expect_match(said(spin_up(3, omega_rad_per_s = 0)), "angular_motion()", fixed = TRUE)
+  expect_match(said(energy_partition(1, omega_rad_per_s = 0)), "kinetic_energy()", fixed = TRUE)
+  expect_match(said(angular_momentum_of(mass_kg = 1)), "takes the mass in kg", fixed = TRUE)
+  expect_match(said(precession_table(mass_kg = 1)), "data.frame(mass_kg", fixed = TRUE)
+  expect_match(said(body_points(mass_kg = 1, x_m = 2)), "data.frame(mass_kg", fixed = TRUE)
+  expect_match(said(angular_impulse(2, time_s = 2)), "`from_s` and `to_s`", fixed = TRUE)
+  expect_match(said(scene_pivot(1, 2, distance_m = 2)), "c(0, 0, -0.1)", fixed = TRUE)
+  expect_match(said(scene_incline(body_sphere(1, 1), 2, friction = 0.2)), "omega0_rad_per_s = 0")
+  expect_match(said(hinged_hit(body_disk(1, 1), mass_kg = 1)), "`centre_m` is missing")
+  expect_match(said(disks_lock(1, 2, 3)), "It is 0 for a body at rest")
+  expect_match(said(precession_table(1, distance_m = 2, omega_rad_per_s = 3)),
+               "`lever_arm_m` and `spin_rad_per_s`")
+  expect_match(said(point_motion(1, distance_m = 2)), "Did you mean `radius_m`", fixed = TRUE)
+  # Every hint is of a function that has no such argument.
+  for (one in asked_elsewhere) {
+    expect_false(any(grepl(one[[2]], names(formals(get(one[[1]]))))), info = one[[1]])
+  }
+})
+
 test_that("a synonym is as near from either side", {
   near <- rotdyn:::word_likeness
   for (pair in list(c("angle", "theta"), c("friction", "coulomb"), c("weight", "mass"))) {

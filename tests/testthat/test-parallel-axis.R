@@ -147,3 +147,16 @@ test_that("arrays are numbers, and a direction that is no text is an error", {
     expect_error(parallel_axis(1, 1, 1, direction = direction), class = "rotdyn_error_value")
   }
 })
+
+test_that("a body has its mass, and its moment about its centre of mass", {
+  expect_equal(parallel_axis(body_disk(3, 0.2), distance_m = 0.2), 1.5 * 3 * 0.2^2)
+  expect_equal(parallel_axis(body_disk(3, 0.2), c(0, 0.2)), c(0.5, 1.5) * 3 * 0.2^2)
+  # Not about the end that it names: m l^2/12 + m (l/2)^2.
+  expect_equal(parallel_axis(body_rod_end(3, 2), 1), 4)
+  expect_equal(parallel_axis(list(body_rod_end(3, 2), body_disk(2, 1)), c(1, 2)), c(4, 9))
+  expect_error(parallel_axis(body_disk(3, 0.2), 3, 0.2), class = "rotdyn_error_argument")
+  expect_error(parallel_axis(body_disk(3, 0.2)), class = "rotdyn_error_missing")
+  expect_error(
+    parallel_axis(body_disk(3, 0.2), 0.2, direction = "to_centre"), class = "rotdyn_error_value"
+  )
+})

@@ -78,3 +78,14 @@ test_that("every constraint that swings has its periods", {
   refused(scene_drive(c(1, 2), coupling_gear(2)))
   refused(scene_free(c(1, 2, 2.5), c(0, 1, 2), torque = c(1, 0, 0)))
 })
+
+test_that("a vertical top has the slow precession beside the vertical", {
+  upright <- scene_pivot(body_disk(0.4, 0.06), c(0, 0, 250), pivot_m = c(0, 0, -0.04))
+  # The smaller root of I1 W^2 - I3 w W + m g l = 0.
+  b <- 0.00072 * 250
+  root <- (b - sqrt(b^2 - 4 * 0.001 * 0.4 * 9.80665 * 0.04)) / (2 * 0.001)
+  expect_equal(period_of(upright)$period_s[1], 2 * pi / root, tolerance = 1e-9)
+  # One that hangs still and does not spin has none.
+  still <- scene_pivot(body_disk(0.4, 0.06), c(0, 0, 0), pivot_m = c(0, 0, 0.04))
+  expect_false(is.finite(tryCatch(period_of(still)$period_s[1], rotdyn_error = function(e) NaN)))
+})

@@ -116,3 +116,58 @@ test_that("components that are rounding noise beside the others show as 0", {
   expect_identical(shown$omega_z_rad_per_s, c(0, 1e-9))
   expect_identical(shown$other, x$other)
 })
+
+test_that("a scene and its motion are introduced as what the user described", {
+  disk <- body_disk(2, 0.25)
+  level <- attitude_from(c(1, 0, 0, pi / 2), "axis_angle")
+  said <- list(
+    "a disk on a fixed axle" = scene_axle(disk, 1),
+    "a body on a fixed axle" = scene_axle(0.1),
+    "a body whose moment of inertia changes, on a fixed axle" =
+      scene_axle(inertia_knots(0:1, c(2, 1)), omega0_rad_per_s = 3),
+    "a pendulum: a rod on a fixed axle" = scene_pendulum(body_rod_end(1, 0.5), theta0_rad = 1),
+    "a pendulum: a point mass on a fixed axle" = scene_pendulum(body_point(1), 0.8, theta0_rad = 1),
+    "a mass hanging from a pulley" = scene_hanging_mass(disk, 1),
+    "two masses hanging from a pulley" = scene_hanging_mass(disk, 2, counter_mass_kg = 1),
+    "a gear train of 2 shafts" = scene_gears(c(1, 2), 3, torque = c(1, 0)),
+    "3 rotors on one shaft" = scene_rotors(c(1, 2, 3), 100),
+    "two bodies and a clutch" = scene_clutch(2, 3, 12, omega0_rad_per_s = c(10, 0)),
+    "a drive of 2 rotors" = scene_drive(c(1, 2), coupling_shaft(5)),
+    "a double pendulum: two rods" = scene_chain(c(1, 1), 1, 0.1),
+    "a chain of 3 point masses" = scene_chain(rep(1, 3), 1, 0.1, links = "points"),
+    "a bead on a hoop that turns at 2 rad/s" = scene_hoop(1, 1, 2, theta0_rad = 0.1),
+    "a free box" = scene_free(body_box(1, 0.1, 0.2, 0.3), c(0, 4, 0.1)),
+    "a free body" = scene_free(c(1, 2, 3), c(0, 4, 0.1)),
+    "a gyroscope or top: a disk with a fixed point" =
+      scene_pivot(disk, c(0, 0, 60), pivot_m = c(0, 0, -0.1), attitude0 = level),
+    "a disk with a fixed point" = scene_pivot(disk, c(1, 0, 0), pivot_m = c(0, 0, -0.1)),
+    "a body with a fixed point" =
+      scene_pivot(c(1, 2, 3), c(0, 0, 6), mass_kg = 1, centre_m = c(0, 0, 0.1)),
+    "a sphere on an incline of 20 degrees" = scene_incline(body_sphere(1, 0.1), 20),
+    "a sphere on a level plane" =
+      scene_incline(body_sphere(6, 0.11), 0, static_friction = 0.1, v0_m_per_s = 7,
+                    omega0_rad_per_s = 0)
+  )
+  makers <- unique(vapply(said, function(scene) class(scene)[1], ""))
+  listed <- grep("^scene_(?!hash)", getNamespaceExports("rotdyn"), value = TRUE, perl = TRUE)
+  expect_setequal(makers, paste0("rot_", listed))
+  for (words in names(said)) {
+    first <- utils::capture.output(print(said[[words]]))[1]
+    expect_match(first, paste0("^<rot_scene> ", words, "( from 0 s)?$"))
+    expect_identical(tbl_sum(trajectory(said[[words]], 0:1))[["Scene"]], words)
+  }
+  loop <- roll_on_curve(curve_circle(1), 0, 1, body_sphere(1, 0.1), v0_m_per_s = 8)
+  expect_match(utils::capture.output(print(loop))[1], "Motion along a curve: circle of radius 1 m")
+  # From rest with (m1 - m2) g/(m1 + m2 + I/r^2).
+  expect_output(
+    print(scene_hanging_mass(disk, 2, counter_mass_kg = 1)),
+    "falls +with 2.45166\\d* m/s\\^2, the first"
+  )
+})
+
+test_that("what is an argument has the unit of its name", {
+  expect_identical(
+    unit_in_name(c("spin_rad_per_s", "transverse_moment_kg_m2", "axis_angle_deg", "beta", "x_m")),
+    c("rad/s", "kg m^2", "degree", "1", "m")
+  )
+})

@@ -164,10 +164,12 @@ test_that("the radius is the body's where it has one", {
 
 test_that("every verb knows pulley and masses", {
   scene <- scene_hanging_mass(body_disk(2, 0.1), 0.5, omega0_rad_per_s = -20)
-  expect_output(print(scene), "a mass on a pulley.*disk.*rope at 0.1 m.*0.5 kg.*of the weights")
+  expect_output(
+    print(scene), "a mass hanging from a pulley.*disk.*rope at 0.1 m.*0.5 kg.*of the weights"
+  )
   expect_output(
     print(scene_hanging_mass(0.1, 2, 0.1, counter_mass_kg = 1)),
-    "two masses on a pulley.*2 and 1 kg"
+    "two masses hanging from a pulley.*2 and 1 kg"
   )
   motion <- trajectory(scene, seq(0, 2, by = 0.5))
   # The highest place, between the rows: v^2/(2 a), a = g/3.

@@ -122,6 +122,18 @@ test_that("a gravity that has lost digits is refused: its motion was 8e-14 off",
   expect_identical(audit(near)$verdict, rep("balanced", 3))
 })
 
+test_that("a start that rolls is said where a body could slip", {
+  ball <- body_sphere(6, 0.11)
+  start <- function(...) scene_incline(ball, 0, v0_m_per_s = 7, ...)
+  expect_message(
+    start(static_friction = 0.1), "rolls from the start", class = "rotdyn_message_start"
+  )
+  expect_no_message(start())
+  expect_no_message(start(static_friction = 0.1, omega0_rad_per_s = NULL))
+  expect_no_message(start(static_friction = 0.1, omega0_rad_per_s = 0))
+  expect_no_message(scene_incline(ball, 20, static_friction = 0.1))
+})
+
 test_that("a radius is the body's own where beta agrees to nine digits, else that of beta", {
   body <- list(beta = 0.5, mass_kg = 2, size_m = c(radius_m = 0.3), shape = "x")
   radius <- function(r) rotdyn:::rolling_radius(body, 0.5 * 2 * r^2, NULL)

@@ -100,3 +100,8 @@ test_that("normals show in the table and its head", {
   expect_identical(pinned$normal_z, NA_real_)
   expect_false(any(grepl("Normals", utils::capture.output(print(pinned)))))
 })
+
+test_that("the axis of a hinge by its name", {
+  expect_identical(support_hinge(c(0, 0, 1), "z"), support_hinge(c(0, 0, 1), c(0, 0, 1)))
+  expect_error(support_hinge(c(0, 0, 1), "w"), class = "rotdyn_error_value")
+})

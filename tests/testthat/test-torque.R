@@ -113,3 +113,11 @@ test_that("of what a law returns NA is a number that is not finite, other logica
     expect_error(run(value), "must return one number", class = "rotdyn_error_torque")
   }
 })
+
+test_that("a brake or a resistance in the place of a torque is said", {
+  expect_error(scene_axle(1, brake(2)), "resistance = resistance\\(coulomb_n_m = \\)",
+               class = "rotdyn_error_type")
+  expect_error(scene_axle(1, resistance(2)), "given by name", class = "rotdyn_error_type")
+  expect_error(scene_axle(1, 2, brake(2)), "resistance = resistance\\(coulomb_n_m = \\)",
+               class = "rotdyn_error_type")
+})

@@ -90,11 +90,11 @@ test_that("the error figure holds for any of the rows; of changed values it is u
   expect_identical(run_of(motion[1:2, ])$info$error, run_of(motion)$info$error)
   motion$omega_rad_per_s[3] <- 1
   expect_true(is.na(run_of(motion)$info$error))
-  expect_match(format(motion)[4], "unknown")
+  expect_match(tbl_sum(motion)[["Error"]], "unknown")
 })
 
 test_that("the header says model and error", {
-  expect_snapshot(cat(format(spin_up(time_s = 0:2))[1:4], sep = "\n"))
+  expect_snapshot(cat(format(spin_up(time_s = 0:2))[1:5], sep = "\n"))
 })
 
 test_that("a row at rest is no infinite error; large terms that cancel are a warning", {
@@ -233,6 +233,13 @@ test_that("an error larger than the motion is not known, and every verb says so"
   expect_identical(dim(augment(motion))[1], 3L)
   # Within the growth the figure is a number.
   expect_lt(glance(trajectory(chaotic, c(0, 20)))$error, 1e-9)
+})
+
+test_that("a body of one's own is not damped unless that is asked", {
+  expect_equal(spin_up(2, torque = 3, time_s = 2)$omega_rad_per_s, 3)
+  expect_equal(spin_up(2, 3, time_s = 2, resistance = 0.5)$damping_torque_n_m,
+               -0.5 * 6 * (1 - exp(-0.5)))
+  expect_false(all(spin_up(time_s = 0:2)$damping_torque_n_m == 0))
 })
 
 test_that("a motion is lost where its error is larger than the motion, and known", {
