@@ -137,6 +137,7 @@ static void test_friction(void) {
     const double coarse = fabs(final_of(method[k], h, t, &r) - exact);
     ROT_CHECK(r.error[0] >= coarse);
     ROT_CHECK_EQ_INT((int)r.events.count, 3);
+    rot_events_free(&r.events);
     const double fine = fabs(final_of(method[k], 0.5 * h, t, &r) - exact);
     check_near(log2(coarse / fine), order, 0.25);
     rot_events_free(&r.events);
