@@ -252,6 +252,8 @@ choose_model <- function(scene, time_s, accuracy = 1e-9, ...) {
   choice
 }
 
+only_by_name <- "it runs only where it is named" # src/core/scene/choice.c
+
 #' @export
 print.rot_model_choice <- function(x, ...) {
   columns <- c("model", "applies", "error", "error_kind", "cost_s", "chosen", "reason")
@@ -261,7 +263,8 @@ print.rot_model_choice <- function(x, ...) {
     return(invisible(x))
   }
   chosen <- which(x$chosen)
-  rest <- which(!x$applies)
+  rest <- which(!x$applies & x$reason != only_by_name)
+  named <- which(x$reason == only_by_name)
   others <- setdiff(which(x$applies), chosen)
   error <- paste(ifelse(x$error_kind == "bound", "error at most", "error about"),
                  format_si(x$error, 2))
@@ -284,6 +287,7 @@ print.rot_model_choice <- function(x, ...) {
     names <- format(x$model[rest])
     cat(strwrap_each(paste0("  ", names, "  ", x$reason[rest]), nchar(names[1]) + 4L), sep = "\n")
   }
+  if (length(named)) cat("by name alone: ", paste(x$model[named], collapse = ", "), "\n", sep = "")
   invisible(x)
 }
 

@@ -163,7 +163,9 @@ test_that("a point mass on a hinge is a ballistic pendulum", {
 
 test_that("rims meet between their axles: what the axles take balances the moment of momentum", {
   for (radius_2 in c(0.2, -0.5)) { # outside, and within a ring
-    hit <- rims_meet(0.02, 0.05, 0.3, radius_2, 30, 10, restitution = 0.4)
+    hit <- rims_meet(
+      0.02, 0.05, 30, 10, radius_1_m = 0.3, radius_2_m = radius_2, restitution = 0.4
+    )
     ledger <- collision_ledger(hit)
     expect_true(all(ledger$verdict == "balanced"))
   }

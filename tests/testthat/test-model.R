@@ -81,7 +81,9 @@ test_that("a choice prints the chosen model and its reason first, costs with a u
   expect_true(all(diff(c(4, heads)) > 0))
   of <- function(lines) sub("^  ([a-z0-9_]+) .*", "\\1", grep("^  axle_", lines, value = TRUE))
   expect_equal(of(text[heads[1]:heads[2]]), choice$model[choice$applies & !choice$chosen])
-  expect_equal(of(text[heads[2]:length(text)]), choice$model[!choice$applies])
+  named <- choice$model[grepl("only where it is named", choice$reason)]
+  expect_equal(of(text[heads[2]:length(text)]), setdiff(choice$model[!choice$applies], named))
+  expect_equal(text[length(text)], "by name alone: axle_euler, axle_semi_implicit, axle_rk4")
   expect_true(all(nchar(text) <= 80))
   # Without its columns it is a tibble.
   expect_output(print(choice[c("model", "cost_s")]), "A tibble")

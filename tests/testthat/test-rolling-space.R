@@ -105,9 +105,9 @@ test_that("the time at which a disk lies flat is told, where it does, and only t
     2 * s / sqrt(2 * rate * (cos(start) - cos(start + s^2)))
   }, 0, sqrt(pi / 2 - start), rel.tol = 1e-10)$value
   said <- expect_warning(
-    roll_disk(seq(0, 2, by = 0.1), 0.5, lean_deg = 17), class = "rotdyn_warning_truncated"
+    roll_disk(body_disk(1, 0.5), seq(0, 2, by = 0.1), lean_deg = 17), class = "rotdyn_warning_truncated"
   )
   told <- as.numeric(sub(".* at ([0-9.]+) s.*", "\\1", conditionMessage(said)))
   expect_equal(told, flat, tolerance = 1e-3)
-  expect_no_warning(roll_disk(c(0, 2), 0.5, spin_rad_per_s = 6))
+  expect_no_warning(roll_disk(body_disk(1, 0.5), c(0, 2), spin_rad_per_s = 6))
 })

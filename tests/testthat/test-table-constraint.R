@@ -6,7 +6,8 @@ test_that("constructors have the inputs of the core's table, with its defaults",
   for (constraint in by_table()) {
     constructor <- formals(get(names(constraint$texts), mode = "function"))
     # Breaks are those of a law; what makes rotors, gears or a clutch a drive is no input of theirs.
-    more <- if (constraint$id %in% c("rotors", "clutch")) c("brake", "resistance")
+    more <- if (constraint$id %in% c("axle", "rotors", "clutch")) "brake"
+    if (!"resistance" %in% names(constraint$inputs)) more <- c(more, "resistance")
     inputs <- setdiff(names(constraint$inputs), "breaks_s")
     expect_setequal(setdiff(names(constructor), c("...", more)), setdiff(inputs, more))
     for (name in inputs) {

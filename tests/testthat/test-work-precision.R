@@ -234,7 +234,7 @@ test_that("steps of fixed length, each length a run: their errors fall as their 
 })
 
 test_that("bad arguments", {
-  expect_error(measure(steps_s = 0.1), class = "rotdyn_error_model")
+  expect_error(measure(models = "axle_linear", steps_s = 0.1), class = "rotdyn_error_model")
   expect_error(measure(steps_s = 0), class = "rotdyn_error_value")
   expect_error(work_precision(), class = "rotdyn_error_missing")
   expect_error(work_precision(1, 0:8), class = "rotdyn_error_type")
