@@ -17,7 +17,7 @@ lines=$(awk '
   /[^ \t]/ { n++ }
   END { print n }' $own)
 others=$(find R src -name '*.[Rch]' ! -name '*hoop*' -exec \
-  grep -HE "^[^#]*((scene|rot|draw)_hoop|hoop_(constraint|frames)|scene/hoop)|#include .scene/hoop" {} + |
+  grep -HE '^[^#]*((scene|rot|draw)_hoop|hoop_(constraint|frames))|scene/hoop/' {} + |
   cut -d: -f1 | sort -u)
 n=$(echo "$others" | wc -l)
 echo "constraint cost: $lines lines of code, named in $n other files:" $others
