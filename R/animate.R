@@ -24,7 +24,7 @@
 #' The frames are evenly spaced in time, and each is computed by the model of the motion, as
 #' [predict()][predict.rot_trajectory] does: none is interpolated.
 #'
-#' @param motion What [trajectory()] returned. It is shown from its first row to its last.
+#' @param motion From [trajectory()]. It is shown from its first row to its last.
 #' @param file A file to write, ending in `.gif`, by the package gifski. NULL gives the interactive
 #'   page, by the package rgl, of a body that turns in space.
 #' @param ... Not used; names after it must be given in full.
@@ -236,9 +236,9 @@ free_solid <- function(scene) {
   axes <- axes_of(scene)
   solid <- solid_of_inertia(scene$moment_of_inertia_kg_m2, axes)
   along <- as.vector(scene$omega0_rad_per_s %*% axes)
-  most <- which.max(abs(along))
-  side <- if (along[most] < 0) -1 else 1
-  c(solid, list(tip = side * 1.25 * solid$semi[most] * axes[, most], held = FALSE))
+  maximum <- which.max(abs(along))
+  side <- if (along[maximum] < 0) -1 else 1
+  c(solid, list(tip = side * 1.25 * solid$semi[maximum] * axes[, maximum], held = FALSE))
 }
 
 # The moments are about the fixed point: those about the centre of mass are less.
@@ -268,7 +268,7 @@ pivot_solid <- function(scene) {
 
 # ---- the frames ---------------------------------------------------------------------------------
 
-most_frames <- 2000
+max_frames <- 2000
 
 film_times <- function(motion, step_s, call) {
   known <- motion$time_s[is.finite(motion$time_s)]
@@ -277,10 +277,10 @@ film_times <- function(motion, step_s, call) {
     abort_rotdyn("{.arg motion} must have rows at two times or more.", "time", call)
   }
   n <- floor(diff(ends) / step_s * (1 + 1e-12)) + 1
-  if (n < 2 || n > most_frames) {
+  if (n < 2 || n > max_frames) {
     film_s <- signif(diff(ends), 3)
     abort_rotdyn(c(
-      "The film must have 2 to {most_frames} frames.",
+      "The film must have 2 to {max_frames} frames.",
       x = "It has {format(n, big.mark = ',')}: the motion takes {film_s} s.",
       i = if (n < 2) {
         "A larger {.arg slow_motion} gives more."

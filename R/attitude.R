@@ -276,11 +276,11 @@ read_attitude <- function(form, columns, code, arg, call) {
   }
   far <- which(off > 1e-12)
   if (length(far)) {
-    most <- max(off[far])
+    maximum <- max(off[far])
     what <- if (form == "matrix") "R'R differs from 1" else "the length differs from 1"
     warn_rotdyn(c(
       "{.arg {arg}}: {length(far)} attitude{?s} {?was/were} normalised.",
-      i = "{what} by up to {format(most, digits = 2)}."
+      i = "{what} by up to {format(maximum, digits = 2)}."
     ), "normalised", call)
   }
   q

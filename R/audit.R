@@ -93,7 +93,7 @@ balances_of <- function(x, run, call) {
     constraint$balances(x, run, call),
     rotdyn_warning_breaks = function(w) invokeRestart("muffleWarning") # the motion gave it
   )
-  balances <- mark_conserved(balances, keeps_of(run$solved))
+  balances <- mark_conserved(balances, statements_of(run$solved))
   if (isTRUE(run$info$lost)) lapply(balances, without_verdict) else balances
 }
 

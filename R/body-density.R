@@ -270,7 +270,7 @@ abort_no_mass <- function(evaluations, hits, call) {
 # mass relative to itself, centre relative to the radius of gyration.
 moments_change <- function(a, b, given_mass) {
   if (a[["mass"]] == 0 || b[["mass"]] == 0) {
-    return(c(second = most_change, mass = most_change, centre = most_change))
+    return(c(second = max_change, mass = max_change, centre = max_change))
   }
   trace <- moments_trace(b)
   scale <- if (given_mass) b[["mass"]] / a[["mass"]] else 1
@@ -282,11 +282,11 @@ moments_change <- function(a, b, given_mass) {
   )
 }
 
-# Upper limit of a relative change: a single node with mass has no size.
-most_change <- 10
+# Upper limit of a relative change; a single node has none.
+max_change <- 10
 
 ratio_or_zero <- function(a, b) {
-  if (is.nan(a)) most_change else if (a == 0) 0 else min(a / b, most_change)
+  if (is.nan(a)) max_change else if (a == 0) 0 else min(a / b, max_change)
 }
 
 # The rounding error of the sums, weights and points, a lower limit of the error.

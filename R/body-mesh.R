@@ -398,11 +398,11 @@ outward_faces <- function(points, faces) {
 # neighbours, and are oriented like these: a triangle is flipped if it is inconsistent with two of
 # them or all three.
 wind_alike <- function(faces) {
-  most <- max(faces)
+  maximum <- max(faces)
   for (pass in 1:20) {
     from <- as.double(faces)
     to <- as.vector(faces[, c(2, 3, 1)])
-    along <- from * most + to
+    along <- from * maximum + to
     same <- duplicated(along) | duplicated(along, fromLast = TRUE)
     against <- rowSums(matrix(same, ncol = 3L)) >= 2
     if (!any(against)) break

@@ -259,7 +259,7 @@ ball_shadow <- function(ball, plane, n = 181L) {
 
 # The triangles on one side (of an open mesh on both), and the edges where the surface turns away
 # or ends. Above `most` triangles only edges are drawn.
-mesh_shadow <- function(flat, faces, most = 20000L) {
+mesh_shadow <- function(flat, faces, maximum = 20000L) {
   if (ncol(faces) == 4L) faces <- rbind(faces[, c(1, 2, 3)], faces[, c(1, 3, 4)])
   a <- flat[faces[, 1], , drop = FALSE]
   u <- flat[faces[, 2], , drop = FALSE] - a
@@ -282,7 +282,7 @@ mesh_shadow <- function(flat, faces, most = 20000L) {
   shown <- first & rim[of]
   towards <- faces[if (any(single)) side != 0 else side > 0, , drop = FALSE]
   list(
-    front = if (nrow(towards) > most) towards[0, , drop = FALSE] else towards,
+    front = if (nrow(towards) > maximum) towards[0, , drop = FALSE] else towards,
     edges = cbind(low[shown], high[shown])
   )
 }

@@ -231,7 +231,7 @@ cli_motion_verbs <- function() {
       "work-precision", "[SCENE...]", c(0, Inf), "cost and true error of every model, measured",
       c(list(
         times, cli_option("accuracies", "numbers", "accuracies to ask for", 10^-c(3, 6, 9, 12)),
-        cli_option("least-batch-s", "number", "processor time of a batch", 0.02)
+        cli_option("min-batch-s", "number", "processor time of a batch", 0.02)
       ), axle), cli_run_work_precision, "times",
       "rotdyn work-precision wheel.json --times 0:8:0.1 --accuracies 1e-3,1e-9"
     )
@@ -283,7 +283,7 @@ cli_run_work_precision <- function(words, options, state) {
   cli_each_scene(cli_scenes(words, options, state, "work-precision"), state, function(scene) {
     list(table = work_precision(
       scene, options$times, accuracies = options$accuracies,
-      least_batch_s = options[["least-batch-s"]]
+      min_batch_s = options[["min-batch-s"]]
     ))
   })
 }
@@ -523,12 +523,12 @@ cli_run_rerun <- function(words, options, state) {
   runs <- if (length(words) > 1L) words[-1L] else records_list(db)$run
   again <- lapply(runs, function(run) {
     result <- records_rerun(db, run, record = isTRUE(options$record))
-    most <- if (nrow(result$where)) result$where[1, ]
+    maximum <- if (nrow(result$where)) result$where[1, ]
     list(
       run = result$run, verdict = result$verdict, model = result$model[["now"]],
-      quantity = most$quantity %||% NA_character_, row = as.double(most$row %||% NA),
-      then = most$then %||% NA_real_, now = most$now %||% NA_real_,
-      allowed = most$allowed %||% NA_real_, new_run = result$new_run %||% NA_character_
+      quantity = maximum$quantity %||% NA_character_, row = as.double(maximum$row %||% NA),
+      then = maximum$then %||% NA_real_, now = maximum$now %||% NA_real_,
+      allowed = maximum$allowed %||% NA_real_, new_run = result$new_run %||% NA_character_
     )
   })
   if (!length(again)) abort_input("it has no run")

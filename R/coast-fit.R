@@ -387,13 +387,13 @@ check_moves <- function(run, speeds, load, call) {
 # which says nothing of the speed at the start.
 half_turned <- function(run) {
   n <- length(run$time_s)
-  way <- if (run$kind == 1) {
+  direction <- if (run$kind == 1) {
     cumsum(c(0, diff(run$time_s) * (run$value[-1] + run$value[-n]) / 2))
   } else {
     run$value - run$value[1]
   }
-  way <- abs(way)
-  match(TRUE, way >= max(way) / 2, nomatch = n)
+  direction <- abs(direction)
+  match(TRUE, direction >= max(direction) / 2, nomatch = n)
 }
 
 # Parameters to start from, and T/I, J/I, whether J/I is multiplied, of the load.

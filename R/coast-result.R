@@ -13,8 +13,7 @@ new_coast_fit <- function(runs, losses, load, inertia, runout, noise, level, cal
 }
 
 # Weighted by the inverse of each run's covariance, with a variance between the runs where they
-# differ by more than their errors say. The unknown of a load: by its multiplier over the reference
-# of the first run.
+# differ by more than their errors say. A run's load enters as its ratio to that of the first run.
 pool_runs <- function(runs, shared, load) {
   values <- lapply(runs, function(run) run$p[shared])
   spreads <- lapply(runs, function(run) run$covariance[shared, shared, drop = FALSE])
@@ -63,8 +62,8 @@ scaled_solve <- function(a, b = diag(nrow(a))) {
   s <- sqrt(diag(a))
   s[s == 0] <- 1
   parts <- eigen(t(t(a / s) / s), symmetric = TRUE)
-  least <- 1e-14 * max(parts$values)
-  inner <- parts$vectors %*% (crossprod(parts$vectors, b / s) / pmax(parts$values, least))
+  minimum <- 1e-14 * max(parts$values)
+  inner <- parts$vectors %*% (crossprod(parts$vectors, b / s) / pmax(parts$values, minimum))
   inner / s
 }
 

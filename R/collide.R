@@ -69,7 +69,7 @@
 #'   rod, velocity_1_m_per_s = c(0, 0, -3), normal = c(0, 0, 1), arm_1_m = end,
 #'   attitude_1 = rotation_about("y", angle_deg = -30), restitution = 0.6, friction = 0.3
 #' )
-#' hit[c("vx_1_m_per_s", "vz_1_m_per_s", "omega_y_1_rad_per_s", "grips")]
+#' hit[c("vx_1_m_per_s", "vz_1_m_per_s", "omega_y_1_rad_per_s", "sticks")]
 #' collision_ledger(hit)
 #'
 #' # Two billiard balls, one at rest, for three aims.
@@ -143,7 +143,7 @@ collide <- function(body_1, body_2 = NULL, ..., velocity_1_m_per_s, velocity_2_m
     )
   }
   columns <- out[[1]]
-  columns$grips <- as.logical(columns$grips)
+  columns$sticks <- as.logical(columns$sticks)
   # Both losses are rounded relative to the work of the impulses.
   work <- approach$size * (columns$normal_impulse_n_s + columns$friction_impulse_n_s)
   columns$creates_energy <-

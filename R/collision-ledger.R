@@ -55,8 +55,8 @@ dplyr_reconstruct.rot_collision <- function(data, template) {
 #' so a residual means something: it is explained where it is below `rounding`, what the rounding of
 #' the terms can add up to. An edited velocity shows.
 #'
-#' @param x What [collide()], [ball_bounce()], [hinged_hit()], [disks_lock()] or [rims_meet()]
-#'   returned.
+#' @param x A collision, from [collide()], [ball_bounce()], [hinged_hit()], [disks_lock()] or
+#'   [rims_meet()].
 #' @param row The collision: a row of `x`.
 #' @param about The point of the angular momentum: its name, such as `"the contact"`, or three
 #'   numbers in m from the first of the points that the collision has, which is the default.
@@ -244,7 +244,7 @@ draw_ledger <- function(x, collision, i, about, call) {
   }
   statements <- lapply(balances, function(b) {
     if (b$balance == "energy") {
-      return(keeps_unless(b$balance, b$about, list(
+      return(conserved_unless(b$balance, b$about, list(
         "the restitution takes energy" = !losses[[1]] %in% 0,
         "friction takes energy" = !losses[[2]] %in% 0
       ), "nothing is lost to restitution or friction"))
@@ -255,12 +255,12 @@ draw_ledger <- function(x, collision, i, about, call) {
     k <- match(axis, c("x", "y", "z"))
     by <- from_outside(part, k)
     if (length(by) > 1L && sum(vapply(outside, function(o) o[[part]][k], double(1))) %in% 0) {
-      return(keeps(
+      return(statement(
         b$balance, b$about, TRUE, paste("the impulses of", paste(by, collapse = " and "), "cancel")
       ))
     }
     what <- if (turns) "an angular impulse about" else "an impulse along"
-    keeps(b$balance, b$about, !length(by), if (length(by)) {
+    statement(b$balance, b$about, !length(by), if (length(by)) {
       paste(paste(by, collapse = " and "), if (length(by) > 1L) "give" else "gives", what, axis)
     } else if (length(outside)) {
       paste("what comes from outside gives no", sub("^an ", "", what), axis)
@@ -269,7 +269,7 @@ draw_ledger <- function(x, collision, i, about, call) {
     })
   })
   list(
-    balances = mark_conserved(balances, statements), keeps = statements,
+    balances = mark_conserved(balances, statements), statements = statements,
     before = c(before, sum(column(1))), after = c(after, sum(column(2))),
     energies = as_table(
       term = c(parts, names(losses)), before = c(column(1), 0, 0), after = c(column(2), losses)
@@ -326,5 +326,5 @@ conserved.rot_collision <- function(x, row = 1, about = NULL, ...) {
   check_no_dots(...)
   collision <- check_collision(x, call)
   row <- check_number(row, "row", "1", call, lower = 1, upper = max(1, nrow(x)))
-  keeps_table(draw_ledger(x, collision, floor(row), about, call)$keeps)
+  conserved_table(draw_ledger(x, collision, floor(row), about, call)$statements)
 }

@@ -180,7 +180,7 @@ column_list <- list(
   c("friction_force_n", "N", "friction on the body, positive down the slope"),
   c("slip_heat_j", "J", "heat of friction since the start"),
   c("rolling_heat_j", "J", "heat of rolling resistance since the start"),
-  c("rolling", "", "whether the contact grips"),
+  c("rolling", "", "whether the contact sticks"),
   c("roll_time_s", "s", "first time at which slip ends and rolling begins; NA if none"),
   c("drag_force_n", "N", "air drag on the body, positive down the slope"),
   c("applied_force_n", "N", "force on the body besides gravity, friction and drag"),
@@ -204,7 +204,7 @@ column_list <- list(
   c("friction_impulse_n_s", "N s", "impulse of friction, on a floor along it"),
   c("normal_loss_j", "J", "energy lost by the restitution"),
   c("friction_loss_j", "J", "energy lost by friction"),
-  c("grips", "", "whether the contact does not slip when it ends"),
+  c("sticks", "", "whether the contact does not slip when it ends"),
   c("particle_v_m_per_s", "m/s", "velocity of the particle, after"),
   c("east_m", "m", "way to the east"),
   c("north_m", "m", "way to the north"),
@@ -237,8 +237,8 @@ column_list <- list(
   c("contact_x_m", "m", "x of the point of contact"),
   c("contact_y_m", "m", "y of the point of contact"),
   c("lean_rad", "rad", "angle of a disk from upright"),
-  c("least_speed_m_per_s", "m/s", "least stable speed of straight upright rolling"),
-  c("least_spin_rad_per_s", "rad/s", "angular velocity at that speed"),
+  c("min_speed_m_per_s", "m/s", "least stable speed of straight upright rolling"),
+  c("min_spin_rad_per_s", "rad/s", "angular velocity at that speed"),
   c("circle_x_m", "m", "centre of the circle on which the ball runs"),
   c("circle_y_m", "m", "the same along y"),
   c("circle_radius_m", "m", "its radius"),
@@ -458,7 +458,7 @@ column_list <- list(
   c("bending_moment_n_m", "N m", "largest bending moment in the rod"),
   c("break_at_m", "m", "its place, from the hinge"),
   c("finest", "1", "features narrower than this share of the span may be missed; NA: more are"),
-  c("least_normal_n", "N", "least push of the track"),
+  c("min_normal_n", "N", "least push of the track"),
   c("period0_s", "s", "period reduced to small swings"),
   c("used", "", "whether it is part of the result"),
   c("group", "", "who timed"),
@@ -662,7 +662,7 @@ race_summary_columns <- c(
 )
 bounce_columns <- c(
   "vx_m_per_s", "vy_m_per_s", "omega_rad_per_s", "normal_impulse_n_s", "friction_impulse_n_s",
-  "normal_loss_j", "friction_loss_j", "grips"
+  "normal_loss_j", "friction_loss_j", "sticks"
 )
 hinged_columns <- c(
   "omega_rad_per_s", "particle_v_m_per_s", "impulse_n_s", "hinge_impulse_n_s", "normal_loss_j"
@@ -713,7 +713,7 @@ roll_disk_meanings <- c(
   normal_n = "push of the floor; below 0 the disk would lift off",
   friction_needed = "coefficient of friction without which it slips"
 )
-disk_speed_columns <- c("least_speed_m_per_s", "least_spin_rad_per_s")
+disk_speed_columns <- c("min_speed_m_per_s", "min_spin_rad_per_s")
 turntable_columns <- c(
   "time_s", "x_m", "y_m", "vx_m_per_s", "vy_m_per_s", "omega_x_rad_per_s", "omega_y_rad_per_s",
   "omega_z_rad_per_s", "circle_x_m", "circle_y_m", "circle_radius_m", "circle_period_s",
@@ -734,7 +734,7 @@ collide_columns <- c(
   "omega_z_1_rad_per_s", "vx_2_m_per_s", "vy_2_m_per_s", "vz_2_m_per_s", "omega_x_2_rad_per_s",
   "omega_y_2_rad_per_s", "omega_z_2_rad_per_s", "impulse_x_n_s", "impulse_y_n_s",
   "impulse_z_n_s", "normal_impulse_n_s", "friction_impulse_n_s", "normal_loss_j",
-  "friction_loss_j", "grips", "creates_energy"
+  "friction_loss_j", "sticks", "creates_energy"
 )
 lock_columns <- c("common_omega_rad_per_s", "angular_impulse_n_m_s", "friction_loss_j")
 rims_columns <- c(
@@ -778,7 +778,7 @@ curve_columns <- c(
   "friction_force_n", "friction_needed", "event"
 )
 curve_summary_columns <- c(
-  "event", "time_s", "x_m", "y_m", "path_m", "v_m_per_s", "least_normal_n", "friction_needed",
+  "event", "time_s", "x_m", "y_m", "path_m", "v_m_per_s", "min_normal_n", "friction_needed",
   "error", "error_kind", "finest"
 )
 curve_meanings <- c(

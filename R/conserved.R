@@ -52,37 +52,37 @@ conserved.rot_scene <- function(x, ...) {
   call <- rlang::current_env()
   check_no_dots(...)
   check_scene(x, call)
-  keeps_table(keeps_of(x))
+  conserved_table(statements_of(x))
 }
 
 #' @export
 conserved.rot_trajectory <- function(x, ...) {
   call <- rlang::current_env()
   check_no_dots(...)
-  keeps_table(keeps_of(check_trajectory(x, "x", call)$solved))
+  conserved_table(statements_of(check_trajectory(x, "x", call)$solved))
 }
 
 # One statement of a constraint: the quantity and the point, as its balances name them; whether it
 # is conserved; the reason in words.
-keeps <- function(quantity, about, conserved, why) {
+statement <- function(quantity, about, conserved, why) {
   list(quantity = quantity, about = about, conserved = conserved, why = why)
 }
 
 # Of a quantity that `causes` may change: what acts, in words by condition; `otherwise`, the reason
 # where none does.
-keeps_unless <- function(quantity, about, causes, otherwise) {
+conserved_unless <- function(quantity, about, causes, otherwise) {
   acts <- names(causes)[vapply(causes, isTRUE, NA)]
-  if (!length(acts)) return(keeps(quantity, about, TRUE, otherwise))
-  keeps(quantity, about, FALSE, paste(acts, collapse = "; "))
+  if (!length(acts)) return(statement(quantity, about, TRUE, otherwise))
+  statement(quantity, about, FALSE, paste(acts, collapse = "; "))
 }
 
-keeps_of <- function(scene) {
+statements_of <- function(scene) {
   statements <- constraint_of(scene)$conserved
   if (!is.null(statements)) return(statements(scene))
-  list(keeps("energy", NA_character_, NA, "the constraint does not say"))
+  list(statement("energy", NA_character_, NA, "the constraint does not say"))
 }
 
-keeps_table <- function(statements) {
+conserved_table <- function(statements) {
   columns <- lapply(conserved_columns, function(name) {
     unlist(lapply(statements, `[[`, name), use.names = FALSE)
   })

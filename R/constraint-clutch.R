@@ -20,7 +20,7 @@ clutch_constraint <- function() {
       theta = measure("rad", c("theta_1_rad", "theta_2_rad"), largest_distance),
       omega = measure("rad/s", c("omega_1_rad_per_s", "omega_2_rad_per_s"), largest_distance)
     ),
-    pace = NULL,
+    time_scales = NULL,
     summary = function(x, run) {
       list(
         final_omega_1_rad_per_s = last(x[["omega_1_rad_per_s"]]),

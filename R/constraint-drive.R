@@ -11,8 +11,8 @@ drive_constraint <- function() {
       "time_s", "rotor", "theta_rad", "omega_rad_per_s", "coupling_torque_n_m", "heat_j",
       "coupling_heat_j"
     ),
-    pace = function(scene, sizes, model) {
-      c(.Call(ffi_scene_pace, "drive", scene, as.double(sizes)), list(drifts = TRUE))
+    time_scales = function(scene, sizes, model) {
+      c(.Call(ffi_scene_time_scales, "drive", scene, as.double(sizes)), list(drifts = TRUE))
     },
     periods = drive_periods,
     stops = stops_at_rest(stop_theta_rad = "theta_rad"),

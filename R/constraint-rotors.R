@@ -29,7 +29,7 @@ rotors_constraint <- function() {
       paste0(n, " rotor", if (n != 1L) "s", " on one shaft")
     },
     keys = c("time_s", "rotor", "theta_rad", "omega_rad_per_s", "shaft_torque_n_m"),
-    pace = rotors_pace,
+    time_scales = rotors_time_scales,
     periods = function(scene, call) periods_of_modes(shaft_modes(scene)$natural_rad_per_s),
     summary = function(x, run) {
       whole <- function(column) {
@@ -82,15 +82,15 @@ draw_shaft_rotors <- function(scene, theta = NULL) {
 }
 
 # A rigid shaft has no twists.
-rotors_pace <- function(scene, sizes, model) {
+rotors_time_scales <- function(scene, sizes, model) {
   inertia <- scene$moment_of_inertia_kg_m2
-  pace <- .Call(ffi_scene_pace, "rotors", scene, sizes)
+  time_scales <- .Call(ffi_scene_time_scales, "rotors", scene, sizes)
   if (model == "rotors_rigid") {
-    pace$fades_s <- sum(inertia) / sum(scene$resistance)
-    pace$swing_rad_per_s <- 0
+    time_scales$fades_s <- sum(inertia) / sum(scene$resistance)
+    time_scales$swing_rad_per_s <- 0
   }
-  pace$drifts <- any(scene$torque != 0) || sum(inertia * scene$omega0_rad_per_s) != 0
-  pace
+  time_scales$drifts <- any(scene$torque != 0) || sum(inertia * scene$omega0_rad_per_s) != 0
+  time_scales
 }
 
 augment_rotors <- function(x, run, edges, call) {

@@ -27,7 +27,8 @@
 #   index, copies(scene)   a second index of the rows (rotor), and how many there are for each time
 #   measures      named list of measure(), to which errors and accuracies refer
 #   slopes(columns, scene)       NULL, or list: by column, what has the sign of its slope in time
-#   pace(scene, sizes, model)    NULL, or list(breaks_s, fades_s, swing_rad_per_s, drifts): times of
+#   time_scales(scene, sizes, model)    NULL, or list(breaks_s, fades_s, swing_rad_per_s, drifts):
+#   times of
 #                 kinks, the shortest time in which a transient fades (Inf: none), the fastest
 #                 swing, whether the motion goes on beyond its swings
 #   periods(scene, call)         NULL, or the columns of period_of(), recycled to its rows

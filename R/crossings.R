@@ -21,7 +21,7 @@ motion_reader <- function(run, body, call) {
     }
     rows <- order(order)
     if (!is.null(constraint$index)) {
-      each <- constraint$copies(run$scene)
+      each <- constraint$rows_per_time(run$scene)
       rows <- (rows - 1L) * each + body
     }
     lapply(columns, `[`, rows)
@@ -34,12 +34,12 @@ motion_reader <- function(run, body, call) {
 # times that double their distance from these, and 16 for each cycle of the fastest swing. NULL
 # where the cycles are too many.
 search_times <- function(run, from_s, to_s) {
-  pace <- pace_of(run)
-  cycles <- pace$swing_rad_per_s * (to_s - from_s) / (2 * pi)
+  time_scales <- time_scales_of(run)
+  cycles <- time_scales$swing_rad_per_s * (to_s - from_s) / (2 * pi)
   if (!is.finite(cycles) || cycles > 1e4) return(NULL)
-  marks <- sort(unique(c(pace$breaks_s, run$events$time_s, run$scene$start_s)))
+  marks <- sort(unique(c(time_scales$breaks_s, run$events$time_s, run$scene$start_s)))
   inside <- function(t) t[t > from_s & t < to_s]
-  fades <- graded_times(marks, run$scene$start_s, pace$fades_s, from_s, to_s)
+  fades <- graded_times(marks, run$scene$start_s, time_scales$fades_s, from_s, to_s)
   ends <- unique(c(from_s, inside(marks), to_s))
   # Pieces of their own: an eighth, and closer to their ends.
   parts <- c(2^-(12:4), seq_len(15) / 16, 1 - 2^-(4:12))
@@ -66,10 +66,10 @@ graded_times <- function(anchors, start_s, shortest_s, from_s, to_s) {
 }
 
 # As R/constraints.R says; of constraints that do not say, nothing that hurries.
-pace_of <- function(run) {
-  pace <- constraint_of(run$scene)$pace
-  if (is.null(pace)) return(list(breaks_s = double(), fades_s = Inf, swing_rad_per_s = 0))
-  pace(run$scene, run$info$sizes, run$model)
+time_scales_of <- function(run) {
+  time_scales <- constraint_of(run$scene)$time_scales
+  if (is.null(time_scales)) return(list(breaks_s = double(), fades_s = Inf, swing_rad_per_s = 0))
+  time_scales(run$scene, run$info$sizes, run$model)
 }
 
 # ---- zeros --------------------------------------------------------------------------------------
@@ -97,8 +97,8 @@ zeros_between <- function(f, from, to, f_from, f_to) {
     x1 <- x
     f1 <- fx
     best <- ifelse(abs(f1) < abs(f2), x1, x2)
-    least <- (.Machine$double.eps * abs(best) + 1e-300) / abs(x2 - x1)
-    done <- !(least < 0.5) | f1 == 0 | is.nan(f1)
+    minimum <- (.Machine$double.eps * abs(best) + 1e-300) / abs(x2 - x1)
+    done <- !(minimum < 0.5) | f1 == 0 | is.nan(f1)
     zero[open[done]] <- ifelse(f1 == 0, x1, best)[done]
     xi <- (x1 - x2) / (x3 - x2)
     phi <- (f1 - f2) / (f3 - f2)
@@ -106,7 +106,7 @@ zeros_between <- function(f, from, to, f_from, f_to) {
       (x3 - x1) / (x2 - x1) * f1 / (f3 - f1) * f2 / (f3 - f2)
     smooth <- phi^2 < xi & (1 - phi)^2 < 1 - xi & is.finite(part)
     part <- ifelse(smooth & !is.na(smooth), part, 0.5)
-    part <- pmin(pmax(part, least), 1 - least)
+    part <- pmin(pmax(part, minimum), 1 - minimum)
     keep <- !done
     open <- open[keep]
     x1 <- x1[keep]
@@ -149,7 +149,7 @@ search_column <- function(read, slopes, column, time_s) {
 # The largest value of each column (the least of those in `least`) within the span of the rows, and
 # the first time there: list(value, time_s), named. Of values that the run did not compute, and
 # where the model does not run again, those of the rows.
-largest_values <- function(x, run, columns, call, least = character()) {
+largest_values <- function(x, run, columns, call, minimum = character()) {
   rows <- unclass(x)[intersect(columns, names(x))]
   found <- list(time_s = x$time_s, columns = rows)
   if (nrow(x) && is.finite(run$info$error)) {
@@ -159,7 +159,7 @@ largest_values <- function(x, run, columns, call, least = character()) {
     found <- again %||% found
   }
   at <- Map(function(value, name) {
-    if (name %in% least) value <- -value
+    if (name %in% minimum) value <- -value
     top <- suppressWarnings(max(value))
     which(value >= top - 4 * .Machine$double.eps * abs(top))[1]
   }, found$columns, names(found$columns))

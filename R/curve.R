@@ -100,7 +100,7 @@ roll_on_curve <- function(curve, from, to, body = 2 / 5, v0_m_per_s = 0, ..., fr
   c2 <- 2 * g / (1 + roller$beta)
   run <- list(
     curve = curve, from = from, to = to, v0 = v0, g = g, c2 = c2, friction = friction,
-    roller = roller, start = curve_values(curve, from, call), way = sign(to - from)
+    roller = roller, start = curve_values(curve, from, call), direction = sign(to - from)
   )
   check_curve_start(run, call)
   run$seen <- look_along(run, finest, breaks, call)
@@ -199,7 +199,7 @@ summary.rot_curve_motion <- function(object, ...) {
   last <- run$last
   new_table(list(
     event = last$event, time_s = last$time_s, x_m = last$x_m, y_m = last$y_m,
-    path_m = last$path_m, v_m_per_s = last$v_m_per_s, least_normal_n = run$least_normal,
+    path_m = last$path_m, v_m_per_s = last$v_m_per_s, min_normal_n = run$min_normal,
     friction_needed = run$needed, error = run$error, error_kind = "estimate", finest = run$finest
   ), nrow = 1L)
 }
@@ -214,11 +214,11 @@ tbl_sum.rot_curve_motion <- function(x, ...) {
     "Motion along a curve" = run$along,
     "End" = paste0(
       run$last$event, " after ", format_si(signif(run$last$time_s, 4)), " s; least push ",
-      format_si(signif(run$least_normal, 4)), " N, friction needed ",
+      format_si(signif(run$min_normal, 4)), " N, friction needed ",
       format_si(signif(run$needed, 4))
     ),
     Seen = if (is.na(run$finest)) {
-      paste("not all: the curve changes faster than", most_places, "places show; see `breaks`")
+      paste("not all: the curve changes faster than", max_places, "places show; see `breaks`")
     } else {
       paste("features narrower than", format_si(signif(run$finest, 3)),
             "of the span may be missed: see `finest`, `breaks`")
@@ -441,7 +441,7 @@ curve_roller <- function(body, call) {
 # ---- the motion ---------------------------------------------------------------------------------
 
 # Places at which the curve's functions are known, from `from` to `to`.
-most_places <- 2e5
+max_places <- 2e5
 
 # Quintic Hermite interpolation of f at the middle of a panel of width h, from value and two
 # derivatives at its ends: value and second derivative.
@@ -488,14 +488,14 @@ look_along <- function(run, finest, breaks, call) {
       d <- paste0("d", k)
       s <- paste0("dd", k)
       said <- hermite_middle(h, a[[k]], b[[k]], a[[d]], b[[d]], a[[s]], b[[s]])
-      most <- pmax(abs(a[[s]]), abs(b[[s]]), abs(m[[s]]))
+      maximum <- pmax(abs(a[[s]]), abs(b[[s]]), abs(m[[s]]))
       wrong <- wrong | abs(m[[k]] - said$value) > 1e-9 * scale[[k]] + 64 * 2^-52 * size[[k]] |
-        abs(m[[s]] - said$second) > 1e-2 * most + 1e-6 * size[[s]] +
+        abs(m[[s]] - said$second) > 1e-2 * maximum + 1e-6 * size[[s]] +
           64 * 2^-52 * size[[d]] / h
     }
     wrong <- wrong & h > 2^-40 * span
     if (!any(wrong)) break
-    if (length(u) + sum(lengths(refined)) / 8 + sum(wrong) > most_places) {
+    if (length(u) + sum(lengths(refined)) / 8 + sum(wrong) > max_places) {
       resolved <- FALSE
       break
     }
@@ -507,7 +507,7 @@ look_along <- function(run, finest, breaks, call) {
   }
   refined <- do.call(rbind, refined)
   all <- rbind(cbind(u = u, at), refined)
-  all <- all[order(all$u, decreasing = run$way < 0), ]
+  all <- all[order(all$u, decreasing = run$direction < 0), ]
   all <- all[!duplicated(all$u), ]
   list(u = all$u, at = as.list(all[-1]), refined = c(refined$u, breaks), finest = if (resolved)
     finest else NA_real_)
@@ -539,10 +539,10 @@ drop_rates <- function(curve, u, a, y_a, y) {
   weigh <- function(y, w) as.vector(y %*% (mirror(w, 1) / 2))
   mean <- weigh(slopes, kronrod_weight)
   size <- weigh(abs(slopes), kronrod_weight)
-  apart <- abs(mean - weigh(slopes, gauss_weight))
+  difference <- abs(mean - weigh(slopes, gauss_weight))
   list(
     plain = (y_a - y) / abs(span), mean = -mean * sign(span), size = size,
-    error = size * pmin(1, (200 * apart / pmax(size, 1e-300))^1.5)
+    error = size * pmin(1, (200 * difference / pmax(size, 1e-300))^1.5)
   )
 }
 
@@ -578,7 +578,7 @@ check_curve_start <- function(run, call) {
   if (!(at$speed > 0)) {
     at <- curve_values(run$curve, run$from + 1e-6 * (run$to - run$from), call)
   }
-  slope <- run$way * at$dy / at$speed
+  slope <- run$direction * at$dy / at$speed
   if (abs(slope) <= 1e-12) {
     abort_rotdyn(c(
       "The body starts at rest where the curve is level: it stays there.",
@@ -603,7 +603,7 @@ curve_forces <- function(run, u, at = NULL, v2 = NULL, call = NULL) {
   b <- run$roller$beta
   list(
     normal = run$roller$mass * (v2 * bend + run$g * cosine),
-    friction = run$roller$mass * b / (1 + b) * run$g * sine * run$way, bend = bend
+    friction = run$roller$mass * b / (1 + b) * run$g * sine * run$direction, bend = bend
   )
 }
 
@@ -634,7 +634,7 @@ curve_end <- function(run, call) {
                tests[[name]], call)
   }))
   if (length(more)) {
-    all <- sort(unique(c(u, more)), decreasing = run$way < 0)
+    all <- sort(unique(c(u, more)), decreasing = run$direction < 0)
     u <- all
     at <- curve_values(run$curve, u, call)
     state <- curve_state(run, u, at)
@@ -651,10 +651,10 @@ curve_end <- function(run, call) {
     i <- bad[1]
     root <- curve_root(run, tests[[name]], if (i == 1L) run$from else u[i - 1L], u[i], call)
     # Two in one step: the first of them.
-    if ((root - best$u) * run$way < 0) best <- list(u = root, event = name, index = i)
+    if ((root - best$u) * run$direction < 0) best <- list(u = root, event = name, index = i)
   }
   check_crests(run, best, u, v2, slack, call)
-  on <- (best$u - u) * run$way > 0
+  on <- (best$u - u) * run$direction > 0
   c(best[c("u", "event")], list(places = c(run$from, u[on]), lowest = u[on][which.min(v2[on])]))
 }
 
@@ -705,7 +705,7 @@ check_bends <- function(run, u, state, call) {
 
 # On a crest without speed the motion is undetermined, and towards one it takes infinitely long.
 check_crests <- function(run, end, u, v2, slack, call) {
-  before <- (end$u - u) * run$way > 0
+  before <- (end$u - u) * run$direction > 0
   n <- length(u)
   low <- which(before & abs(v2) <= slack & v2 <= c(run$v0^2, v2[-n]) & v2 <= c(v2[-1], Inf))
   at <- if (length(low)) u[low[1]] else if (end$event == "turns") end$u
@@ -744,15 +744,15 @@ curve_integrals <- function(run, end, u, call) {
   y_last <- run$curve$y(last)
   v_end <- if (end$event == "turns") 0 else max(square_speed(run, last), 0)
   places <- c(end$places, last)
-  most <- max(square_speed(run, places[-1]), v_end, run$v0^2)
-  slow_end <- v_end < 0.05 * most
+  maximum <- max(square_speed(run, places[-1]), v_end, run$v0^2)
+  slow_end <- v_end < 0.05 * maximum
   middle <- if (slow_end) run$from + span / 2 else last
   even <- run$from + span * seq_len(255) / 256
   inner <- c(run$curve$knots, run$seen$refined, even, end$lowest)
   # Beside the ends, where the integrand is smooth in s, places would be of few digits.
   edge <- 1e-4 * abs(span)
-  inner <- inner[(inner - run$from) * run$way > edge & (last - inner) * run$way > edge]
-  cuts <- sort(unique(c(u, middle, inner)), decreasing = run$way < 0)
+  inner <- inner[(inner - run$from) * run$direction > edge & (last - inner) * run$direction > edge]
+  cuts <- sort(unique(c(u, middle, inner)), decreasing = run$direction < 0)
   tail <- if (end$event == "turns") gentle_until(run, cuts) else run$from
   reach <- c(mean_reach(run, last, places, curve_values(run$curve, places, call)), run$reach)
   rounding <- eps * c(if (end$event == "turns") 0 else run$v0^2 + run$c2 *
@@ -776,14 +776,14 @@ curve_integrals <- function(run, end, u, call) {
       step <- at$speed * 2 * abs(length_s)
       error <- step * slowness * blur / square
       # The change of the time by that of v^2 at the end, where the slope is less.
-      shift <- ifelse((tail - at_u) * run$way > 0, step * slowness / (2 * s^2 * square), 0)
+      shift <- ifelse((tail - at_u) * run$direction > 0, step * slowness / (2 * s^2 * square), 0)
       cbind(step * slowness, step * s, ifelse(is.finite(error), error, 0),
             if (from_start) 0 else ifelse(is.finite(shift), shift, 0))
     }
   }
   side <- function(from_start) {
     anchor <- if (from_start) run$from else last
-    mine <- cuts[(cuts - middle) * run$way * (if (from_start) 1 else -1) <= 0]
+    mine <- cuts[(cuts - middle) * run$direction * (if (from_start) 1 else -1) <= 0]
     if (length(mine) < 2L) return(NULL)
     s <- sqrt(pmax((mine - anchor) / (middle - anchor), 0))
     n <- length(s)
@@ -870,7 +870,7 @@ curve_limits <- function(run, end, call) {
 }
 
 new_curve_motion <- function(run, end, u, call) {
-  u <- u[(end$u - u) * run$way > 0]
+  u <- u[(end$u - u) * run$direction > 0]
   u <- c(u, end$u)
   if (length(u) < 2L) {
     abort_rotdyn(c(
@@ -899,7 +899,7 @@ new_curve_motion <- function(run, end, u, call) {
   limits <- curve_limits(run, end, call)
   total <- last$time_s
   run <- list(
-    last = last, least_normal = limits$normal, needed = limits$needed,
+    last = last, min_normal = limits$normal, needed = limits$needed,
     error = if (total > 0) sums$error / total + 1e-15 else NaN, shape = cbind(at$x, at$y),
     finest = run$seen$finest, along = run$curve$kind
   )

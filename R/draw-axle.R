@@ -152,9 +152,9 @@ size_letters <- function(body) {
   )
 }
 
-size_quantities <- function(body, most = 3L) {
+size_quantities <- function(body, maximum = 3L) {
   if (!inherits(body, "rot_body")) return(NULL)
-  sizes <- utils::head(size_letters(body), most)
+  sizes <- utils::head(size_letters(body), maximum)
   rbind(
     quantity("m", "mass", value_text(body$mass_kg, "kg")),
     if (nrow(sizes)) {

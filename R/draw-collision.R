@@ -4,8 +4,8 @@
 #' to the point of contact, rims of round bodies, velocities as arrows of one scale, and angular
 #' velocities about the line of sight as numbers.
 #'
-#' @param object What [collide()], [ball_bounce()], [hinged_hit()], [disks_lock()] or [rims_meet()]
-#'   returned.
+#' @param object A collision, from [collide()], [ball_bounce()], [hinged_hit()], [disks_lock()] or
+#'   [rims_meet()].
 #' @param ... Not used; names after it must be given in full.
 #' @param row The collision: a row of `object`.
 #' @param base_size Size of the letters in points.

@@ -5,7 +5,7 @@
 #' are the normals of surfaces and rollers. A body in space is drawn in oblique
 #' projection, with x to the right, z up and y into the page.
 #'
-#' @param object What [static_equilibrium()] returned.
+#' @param object From [static_equilibrium()].
 #' @inheritParams autoplot.rot_trajectory
 #' @return A ggplot, with alternative text.
 #' @section Errors: `rotdyn_error_package` without ggplot2; `rotdyn_error_argument`,
@@ -56,7 +56,7 @@ draw_statics <- function(rest) {
     one
   })
   couples <- apply(system$force == 0, 2L, all)
-  # A couple without a place does not stretch the drawing.
+  # A couple without a place does not enlarge the drawing.
   used <- rbind(at[!c(couples, rep(FALSE, length(s$supports))), , drop = FALSE], outline)
   if (!nrow(used)) used <- rbind(at, 0)
   flat <- flatten_points(used, plane)
@@ -141,26 +141,27 @@ pushes <- function(rest, i, force, at, centre) {
 
 # A force of the share of the largest; its arrow ends or begins at the point.
 draw_force <- function(d, point, force, share, symbol, style, plane, ends) {
-  way <- flatten_points(rbind(force / length_of(force)), plane)
-  if (length_of(way) < 0.05) way <- cbind(0.05, 0.05)
-  way <- way / length_of(way)
-  tip <- (0.3 + 0.45 * share) * way
+  direction <- flatten_points(rbind(force / length_of(force)), plane)
+  if (length_of(direction) < 0.05) direction <- cbind(0.05, 0.05)
+  direction <- direction / length_of(direction)
+  tip <- (0.3 + 0.45 * share) * direction
   from <- if (ends) point - tip else point
   to <- from + tip
   d$add(mark("arrow", rbind(from, to), style))
   outer <- if (ends) from else to
-  side <- 0.17 * c(-way[2], way[1])
+  side <- 0.17 * c(-direction[2], direction[1])
   if (side[1] < 0 || (side[1] == 0 && side[2] < 0)) side <- -side
   d$say(symbol, outer[1] + side[1], outer[2] + side[2])
 }
 
 # A short dashed line from the point along the normal, into the body.
 draw_normal <- function(d, point, normal, symbol, plane) {
-  way <- flatten_points(rbind(normal), plane)
-  if (length_of(way) < 0.05) way <- cbind(0.05, 0.05)
-  tip <- point + 0.3 * way / length_of(way)
+  direction <- flatten_points(rbind(normal), plane)
+  if (length_of(direction) < 0.05) direction <- cbind(0.05, 0.05)
+  tip <- point + 0.3 * direction / length_of(direction)
   d$add(mark("arrow", rbind(point, tip), "dashed"))
-  d$say(symbol, tip[1] + 0.08 * way[1] + 0.09 * way[2], tip[2] + 0.08 * way[2] - 0.09 * way[1])
+  d$say(symbol, tip[1] + 0.08 * direction[1] + 0.09 * direction[2],
+    tip[2] + 0.08 * direction[2] - 0.09 * direction[1])
 }
 
 # "490.3 N down", "351 N at 66 degrees", "(61.3, 0, 122.6) N".
@@ -207,9 +208,9 @@ outline_of <- function(place, used, outline) {
 
 # A bar from one point to another.
 thick_line <- function(ends, half = 0.025) {
-  way <- ends[2, ] - ends[1, ]
-  if (!(length_of(way) > 0)) return(list())
-  side <- half * c(-way[2], way[1]) / length_of(way)
+  direction <- ends[2, ] - ends[1, ]
+  if (!(length_of(direction) > 0)) return(list())
+  side <- half * c(-direction[2], direction[1]) / length_of(direction)
   list(mark("fill", rbind(ends[1, ] + side, ends[2, ] + side, ends[2, ] - side, ends[1, ] - side),
             "body"))
 }
@@ -220,21 +221,22 @@ support_marks <- function(one, place, plane) {
   p <- point(one$at_m)
   if (one$kind %in% c("cable", "rod")) {
     # Long cables are cut: the anchor may be far away.
-    way <- point(one$to_m) - p
-    end <- p + way * min(1, 1.2 / length_of(way))
+    direction <- point(one$to_m) - p
+    end <- p + direction * min(1, 1.2 / length_of(direction))
     return(list(mark("line", rbind(p, end), "dashed"),
                 mark("fill", draw_circle(end[1], end[2], 0.025), "fixed")))
   }
   if (one$kind %in% c("roller", "surface")) {
-    way <- flatten_points(rbind(c(one$normal, 0)[1:3]), plane)
-    if (length_of(way) == 0) way <- cbind(0, 1)
-    way <- as.double(way / length_of(way))
-    across <- c(-way[2], way[1])
+    direction <- flatten_points(rbind(c(one$normal, 0)[1:3]), plane)
+    if (length_of(direction) == 0) direction <- cbind(0, 1)
+    direction <- as.double(direction / length_of(direction))
+    across <- c(-direction[2], direction[1])
     gap <- if (one$kind == "roller") 0.07 else 0
-    bar <- rbind(p - gap * way + 0.16 * across, p - gap * way - 0.16 * across,
-                 p - (gap + 0.05) * way - 0.16 * across, p - (gap + 0.05) * way + 0.16 * across)
+    bar <- rbind(p - gap * direction + 0.16 * across, p - gap * direction - 0.16 * across,
+                 p - (gap + 0.05) * direction - 0.16 * across,
+                 p - (gap + 0.05) * direction + 0.16 * across)
     wheel <- if (gap > 0) {
-      centre <- p - 0.5 * gap * way
+      centre <- p - 0.5 * gap * direction
       list(mark("fill", draw_circle(centre[1], centre[2], 0.5 * gap), "hole"))
     }
     return(c(list(mark("fill", bar, "fixed")), wheel))

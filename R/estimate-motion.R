@@ -62,8 +62,8 @@
 #' **What residuals do not show** (type B, to be given): the scale and bias of a gyroscope, the rate
 #' and jitter of a clock. They are added to every standard error.
 #'
-#' @param record What [motion_record()] returns, or a data frame that it takes without arguments:
-#'   with columns `time_s` and `theta_rad`, `omega_rad_per_s` or both.
+#' @param record A `rot_record`, from [motion_record()], or a data frame that it takes
+#'   without arguments: with columns `time_s` and `theta_rad`, `omega_rad_per_s` or both.
 #' @param inertia Moment of inertia in kg m^2, also [measured()] with its uncertainty, or a body:
 #'   about its axle. NULL for none.
 #' @param resistance A [resistance()], for the torque that is applied besides it. It needs an
@@ -393,10 +393,10 @@ known_breaks <- function(breaks, record, call) {
 # ---- the fit -------------------------------------------------------------------------------------
 
 fit_estimate <- function(data, breaks, orders, find, outliers, jitter, asked, call) {
-  most <- if (find) min(100, length(data$time_s) %/% 10) else 0
+  maximum <- if (find) min(100, length(data$time_s) %/% 10) else 0
   progress <- progress_bar("samples")
-  run <- function(core, breaks, most = 0, outliers = FALSE, orders. = orders) {
-    out <- .Call(ffi_smooth_fit, core, breaks, c(orders., most, outliers), progress)
+  run <- function(core, breaks, maximum = 0, outliers = FALSE, orders. = orders) {
+    out <- .Call(ffi_smooth_fit, core, breaks, c(orders., maximum, outliers), progress)
     if (is.character(out)) {
       abort_rotdyn("The smoothness of the record could not be estimated.", out, call)
     }
@@ -422,9 +422,9 @@ fit_estimate <- function(data, breaks, orders, find, outliers, jitter, asked, ca
       core <- weigh_edges(edges, smooth_at(core, breaks, out$fit)$omega)
     }
   }
-  found <- run(core, breaks, most, outliers)
+  found <- run(core, breaks, maximum, outliers)
   if (outliers && (sum(found$left_out) > 0.03 * found$fit[7] || is_heavy(core, found))) {
-    found <- run(heavy_tails(core, found, run), breaks, most, outliers)
+    found <- run(heavy_tails(core, found, run), breaks, maximum, outliers)
   }
   rounding <- 64 * .Machine$double.eps * max(abs(c(core$theta, core$omega)), na.rm = TRUE)
   noise <- if (is.null(core$slow) && found$fit[4] > rounding) {
@@ -433,7 +433,7 @@ fit_estimate <- function(data, breaks, orders, find, outliers, jitter, asked, ca
   if (!is.null(noise)) {
     # Breaks and outliers again: what is correlated was taken for them.
     core <- with_noise(core, noise)
-    found <- run(core, breaks, most, outliers)
+    found <- run(core, breaks, maximum, outliers)
   }
   breaks <- found[c("time_s", "segment", "first")]
   left <- matrix(found$left_out, length(core$time_s))
@@ -694,15 +694,15 @@ edges_of <- function(data) {
 # back (the count goes where it came from), and whether there is an edge behind and before it.
 counter_runs <- function(count, segment) {
   jump <- diff(count)
-  apart <- diff(segment) != 0L
-  last <- c(which(abs(jump) > 0.5 | apart), length(count))
+  difference <- diff(segment) != 0L
+  last <- c(which(abs(jump) > 0.5 | difference), length(count))
   n <- length(last)
   first <- c(1L, last[-n] + 1L)
   size <- last - first + 1L
   slow <- size >= slow_run
   if (sum(slow) < 2L) return(NULL)
   behind <- jump[last] # NA at the end
-  behind[apart[last]] <- NA
+  behind[difference[last]] <- NA
   before <- c(NA, behind[-n])
   by_one <- function(x) !is.na(x) & abs(x) < 1.5
   turns <- by_one(before) & by_one(behind) & before * behind < 0
@@ -812,9 +812,10 @@ smoother_memory_s <- function(fit) {
 }
 
 # Ends of segments where the motion is rougher than the process expects: an exponential is, where it
-# is steep. The scores of shocks in the last state are 1 on average; what their mean over four times
-# the smoother's memory exceeds 1 by. Without it bands of alpha hold 75 % at ends of coast-downs. At
-# order 5 that mean is of few shocks, and is taken two standard errors higher: 80 to 86 % without.
+# is steep. The scores of shocks in the last state are 1 on average: the excess of their mean, over
+# four times the smoother's memory, above 1. Without it bands of alpha hold 75 % at ends of
+# coast-downs. At order 5 the mean has few shocks, so two standard errors are added: 80 to 86 %
+# without.
 rough_ends <- function(fit, rough) {
   core <- fit$core
   segment <- core$segment %||% rep(1L, length(core$time_s))

@@ -44,7 +44,7 @@ check_estimate <- function(x, arg, call) {
 #' its errors. Beyond the ends of the record the intervals widen; farther than the length of the
 #' record, and between its segments, nothing is known.
 #'
-#' @param object What [estimate_motion()] returned.
+#' @param object A `rot_estimate`, from [estimate_motion()].
 #' @param time_s Times in s, in any order. NA gives a row of NA.
 #' @param ... Not used.
 #' @param segment The segment of the record: NULL for the one that has the time, or numbers. It is
@@ -200,7 +200,7 @@ estimate_residuals <- function(fit) {
 #'
 #' \deqn{\Delta E = \tfrac12 I\,(\omega_1^2 - \omega_2^2)}{dE = I/2 (omega_1^2 - omega_2^2)}
 #'
-#' @param estimate What [estimate_motion()] returned, with an inertia.
+#' @param estimate A `rot_estimate`, from [estimate_motion()], with an inertia.
 #' @param from_s,to_s The two times in s, one or as many of each. Outside the record, or in
 #'   different segments, the result is NA.
 #' @param ... Not used: an unknown argument is an error.

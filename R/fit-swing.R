@@ -13,7 +13,7 @@
 #'
 #' **Free swings** are those in which no peak is higher than the one before, which are outside of
 #' the part in which the amplitude grows, and whose period of small swings is that of the higher
-#' ones, to 1.5 % (more where it scatters, at most 5 %). To the longest such stretch the exact
+#' ones, to 1.5 % (more where it scatters, at most 5 %). To the longest such interval the exact
 #' motion is fitted,
 #' \deqn{\ddot\theta = -\omega_0^2 \sin\theta - 2 \gamma \dot\theta
 #'   - a\,\mathrm{sgn}\,\dot\theta - k \dot\theta |\dot\theta|}{
@@ -31,7 +31,7 @@
 #' **The law is incomplete** where the residuals of the fit still show slow changes of phase or
 #' amplitude, or another form of the swing, beyond the noise at frequencies around that of the
 #' swings (an F test at 0.001), or where a loss would be below 0 by more than its error. The errors
-#' then include what thirds of the stretch differ by, where chance does not explain it. Where the
+#' then include what thirds of the interval differ by, where chance does not explain it. Where the
 #' motion does not fit, to a tenth of its amplitude,
 #' or there is less than one and a half swings, the median of the free swings (weighted
 #' by the square of their amplitudes) is returned with the error of their scatter.
@@ -64,7 +64,7 @@
 #'   * `amplitude_rad`: the largest of the swings used; `offset`, `residual` (root mean square),
 #'     `durbin_watson`, `correlation_time_s`, `white_u` (the standard error of omega0 if the noise
 #'     were white), `from` (`"fit"` or `"swings"`), `restoring`, `losses`, `notes`, `samples` (those
-#'     of the stretch) and `motion` (the fitted motion, its losses at least 0).
+#'     of the interval) and `motion` (the fitted motion, its losses at least 0).
 #' @section Errors: `rotdyn_error_size` where fewer than three passages are found,
 #'   `rotdyn_error_value` also for a pendulum with amplitudes beyond pi (degrees?) and for a record
 #'   without a free swing, `rotdyn_error_type`, `rotdyn_error_missing`, `rotdyn_error_argument`, and
@@ -155,8 +155,8 @@ swings_of <- function(data, kind, restoring, losses, call) {
   }
   if (!any(swings$used)) abort_driven(swings, call)
   grows <- do.call(rbind, lapply(parts, `[[`, "grows"))
-  best <- longest_stretch(swings)
-  # A part of a swing before the first passage and after the last belongs to the stretch.
+  best <- longest_interval(swings)
+  # A part of a swing before the first passage and after the last belongs to the interval.
   own <- range(data$time[data$segment == best$segment])
   if (best$from - own[1] < 0.5 * best$period) best$from <- own[1]
   if (own[2] - best$to < 0.5 * best$period) best$to <- own[2]
@@ -193,7 +193,7 @@ first_parameters <- function(time, kind, restoring, losses, best, part, swings) 
   omega0 <- 2 * pi / best$period0
   first <- which(part$passages >= best$from - 1e-9 * best$period)[1]
   slope <- sign(part$peaks[first] - 0)
-  # At the first passage of the stretch theta (of a rate: omega) is 0. From there to the first
+  # At the first passage of the interval theta (of a rate: omega) is 0. From there to the first
   # sample without losses: backward in time theta (of a rate: omega) has the other sign.
   angle <- kind == "theta_rad"
   peak <- if (angle) abs(part$peaks[first]) else NA
@@ -226,7 +226,7 @@ first_parameters <- function(time, kind, restoring, losses, best, part, swings) 
   p
 }
 
-# The verdict. Where residuals show another law, thirds of the stretch show by how much what is
+# The verdict. Where residuals show another law, thirds of the interval show by how much what is
 # fitted depends on the part; where they do so for half a swing and by 2 %, nothing is fitted.
 judge_law <- function(fit, time, y, kind, restoring, losses, best, part, swings) {
   below <- intersect(rownames(fit$covariance), swing_losses)
@@ -392,7 +392,7 @@ swing_notes <- function(swings, fit, out, about, amplitude) {
     if (!is.null(fit) && !fit$complete) {
       paste0("the law is incomplete: ", paste(fit$reasons, collapse = "; "))
     },
-    if (any(fit$between > 0)) "the errors include what thirds of the stretch differ by",
+    if (any(fit$between > 0)) "the errors include what thirds of the interval differ by",
     if (length(grows)) paste0(
       "the amplitude grows from ", format_si(grows[1, 1], 4), " to ", format_si(grows[1, 2], 4),
       " s: there the body is driven, not free"

@@ -1,6 +1,6 @@
 # What an object consists of. A form is a word, or a list of forms by the names of the parts. C
 # checks it (src/glue/form.c) in two microseconds, at the start of every verb that takes an object:
-# one that was edited, forged or kept from another version is reported there and nowhere else.
+# one that was edited, invalid or kept from another version is reported there and nowhere else.
 #
 # Words: number, numbers (finite), limit, limits (may be infinite), values (any), sorted (finite,
 # not decreasing), count, text, texts, flag, flags, function, list, term (that the core may read).
@@ -59,11 +59,11 @@ domain_form <- list(
   jacobian = "function?", inside = "function?"
 )
 
-grip_parts <- list(
+friction_parts <- list(
   capacity_n_m = torque_form, static_ratio = "number", from_s = "limit", to_s = "limit"
 )
 
-brake_form <- c(list(.class = "rot_brake"), grip_parts)
+brake_form <- c(list(.class = "rot_brake"), friction_parts)
 
 # Without a torque its motor keeps its speed.
 rotor_form <- list(
@@ -88,7 +88,7 @@ coupling_form <- list(.one_of = list(
     .class = "rot_coupling_shaft", stiffness_n_m_per_rad = "number", damping_n_m_s = "number",
     ratio = "number"
   ),
-  c(list(.class = "rot_coupling_clutch"), grip_parts, ratio = "number"),
+  c(list(.class = "rot_coupling_clutch"), friction_parts, ratio = "number"),
   list(.class = "rot_coupling_gear", ratio = "number", efficiency = "number")
 ))
 
@@ -142,7 +142,7 @@ curve_form <- list(
 )
 
 curve_run_form <- list(
-  last = "list", least_normal = "values:1", needed = "values:1", error = "values:1",
+  last = "list", min_normal = "values:1", needed = "values:1", error = "values:1",
   shape = "values", finest = "values:1", along = "text"
 )
 

@@ -9,9 +9,9 @@
 #' impulses
 #' \deqn{J_n = -(1 + e) m v_y,\quad J_t = -\min\left(\mu J_n, \frac{\beta}{1+\beta} m |u|\right)
 #'   \mathrm{sign}(u)}{J_n = -(1 + e) m vy,  J_t = -min(mu J_n, beta/(1 + beta) m |u|) sign(u)}
-#' with the second where the contact grips. With the tangential restitution e_t grip gives a share
-#' of the slip back, by (1 + e_t) of that impulse where friction allows it; e_t of a superball is
-#' near 1.
+#' with the second where the contact sticks. With the tangential restitution e_t sticking gives a
+#' share of the slip back, by (1 + e_t) of that impulse where friction allows it; e_t of a superball
+#' is near 1.
 #' A particle gives a hinged body, at the distance d,
 #' \deqn{J = \frac{(1 + e)(v - \omega d)}{1/m + d^2/I_p},\quad
 #'   J_{hinge} = J\left(\frac{M a d}{I_p} - 1\right)}{
@@ -26,8 +26,9 @@
 #' @param omega_rad_per_s Angular velocity before; of the ball positive where it rolls towards +x,
 #'   of a hinged body where the point struck moves along the particle's positive velocity.
 #' @param restitution Coefficient of restitution, 0 to 1. 0: a particle sticks to the hinged body.
-#' @param tangential_restitution Share of the slip that grip gives back, 0 to 1.
-#' @param friction Coefficient of friction, at least 0; Inf: the contact grips.
+#' @param tangential_restitution Share of the slip that is returned where the contact sticks, 0 to
+#'   1.
+#' @param friction Coefficient of friction, at least 0; Inf: the contact sticks.
 #' @param centre_m Distance of the body's centre of mass from the hinge, at least 0.
 #' @param distance_m Distance of the point struck from the hinge; negative beyond the hinge.
 #' @param particle_mass_kg Mass of the particle, greater than 0.
@@ -80,7 +81,7 @@ ball_bounce <- function(body, vx_m_per_s, vy_m_per_s, omega_rad_per_s = 0, resti
   ), call)
   beta <- inertia / body$mass_kg / radius / radius
   out <- .Call(ffi_impact_bounce, unname(c(list(body$mass_kg, radius, beta), columns)))
-  out$grips <- as.logical(out$grips)
+  out$sticks <- as.logical(out$sticks)
   ball <- list(
     mass_kg = body$mass_kg, second_moment_kg_m2 = planar_second(inertia),
     attitude = planar_attitude, centre_m = cbind(0, radius, 0), radius_m = radius,

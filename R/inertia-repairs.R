@@ -183,8 +183,8 @@ sign_candidates <- function(now) {
 
 # A product equal to a moment is taken for a copy of it.
 copy_candidates <- function(now) {
-  copies <- 3L + which(now$six[4:6] != 0 & abs(now$six[4:6]) %in% abs(now$six[1:3]))
-  lapply(copies, function(i) {
+  rows_per_time <- 3L + which(now$six[4:6] != 0 & abs(now$six[4:6]) %in% abs(now$six[1:3]))
+  lapply(rows_per_time, function(i) {
     new_repair("repetition of a moment", 2, inertia_entries[i], now$six[i], 0)
   })
 }

@@ -182,9 +182,9 @@ filar_inertia <- function(swing, mass_kg, length_m, height_m, upper, lower, ampl
   square <- function(wire, upper, lower) {
     if (arg == "height_m") wire^2 else wire^2 - (upper - lower)^2
   }
-  least <- square(wire$value, upper$value, lower$value) -
+  minimum <- square(wire$value, upper$value, lower$value) -
     4 * upper$value * lower$value * sin(motion$amplitude / 2)^2
-  if (least <= 0) {
+  if (minimum <= 0) {
     abort_rotdyn(c(
       "The wires do not reach from the upper to the lower circle.",
       x = "Length {format(wire)} m, radii {format(upper)} and {format(lower)} m, amplitude

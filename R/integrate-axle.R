@@ -48,9 +48,9 @@ with_law <- function(scene, law) {
 check_start_level <- function(scene, reader, call) {
   if (scene$omega0_rad_per_s != 0) return()
   theta <- scene$theta0_rad
-  apart <- max(4 * .Machine$double.eps * abs(theta), 1e-300)
+  difference <- max(4 * .Machine$double.eps * abs(theta), 1e-300)
   others <- .Call(ffi_axle_torques, scene, scene$start_s, theta, 0)$applied_torque_n_m
-  torque <- function(steps) reader$beside(theta + steps * apart) + others
+  torque <- function(steps) reader$beside(theta + steps * difference) + others
   holds <- axle_resistance(scene)$static_n_m
   above <- torque(1)
   if (!isTRUE(above < -holds)) return()
@@ -103,10 +103,10 @@ add_sampling <- function(result, sampled, scene, time_s, solve, accuracy) {
   if (isTRUE(grow > 2) && is.finite(push) && push > 0) {
     runs <- lapply(c(0, push), solve)
     if (all(vapply(runs, function(run) run$info$kind == "none", logical(1)))) {
-      apart <- function(column) {
+      difference <- function(column) {
         max(abs(runs[[2]]$columns[[column]] - runs[[1]]$columns[[column]])) / push
       }
-      grow <- max(1, c(apart("theta_rad"), apart("omega_rad_per_s")) / free)
+      grow <- max(1, c(difference("theta_rad"), difference("omega_rad_per_s")) / free)
     }
   } else if (!is.finite(grow)) {
     grow <- 1 # no motion, or no time

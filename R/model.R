@@ -110,8 +110,8 @@ judge_model <- function(record, constraint, scene, time_s, accuracy, drop, call)
   )
 }
 
-# All models of a scene, cheapest first, in the columns of core_candidates(). An effect is left out
-# only where no closed form takes the scene unchanged.
+# (scene, times, accuracy) => all models, cheapest first, in the columns of core_candidates(). An
+# effect is left out only where no closed form takes the scene unchanged.
 candidates <- function(constraint, scene, time_s, accuracy, call, law_s = 1e-6) {
   if (constraint$core) return(core_candidates(constraint$id, scene, time_s, accuracy, law_s))
   judge <- function(drop) {

@@ -463,15 +463,15 @@ record_rows <- function(columns, group, breaks, dropped) {
   time <- columns$time_s[keep]
   same_group <- diff(group[keep]) == 0
   equal <- which(diff(time) == 0 & same_group)
-  copies <- equal[Reduce(`&`, lapply(values, function(x) {
+  rows_per_time <- equal[Reduce(`&`, lapply(values, function(x) {
     a <- x[keep][equal]
     b <- x[keep][equal + 1L]
     (is.na(a) & is.na(b)) | (!is.na(a) & !is.na(b) & a == b)
   }), init = rep(TRUE, length(equal)))]
   assumed <- character()
-  if (length(copies)) {
-    why[keep[copies + 1L]] <- "copy of the row before"
-    keep <- keep[-(copies + 1L)]
+  if (length(rows_per_time)) {
+    why[keep[rows_per_time + 1L]] <- "copy of the row before"
+    keep <- keep[-(rows_per_time + 1L)]
     time <- columns$time_s[keep]
     equal <- which(diff(time) == 0 & diff(group[keep]) == 0)
   }

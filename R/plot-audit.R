@@ -4,7 +4,7 @@
 #' taken away, and the change begins at 0 again: where a motion balances, it ends where the last of
 #' the others ends. Terms of 0 are left out.
 #'
-#' @param object What [audit()] returned.
+#' @param object A `rot_audit`, from [audit()].
 #' @inheritParams autoplot.rot_trajectory
 #' @return A ggplot, with alternative text.
 #' @section Errors: `rotdyn_error_package` without ggplot2; `rotdyn_error_argument`,

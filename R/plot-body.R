@@ -311,13 +311,13 @@ axis_lines <- function(directions, reach, at, axes, part) {
 }
 
 # Tables in the detail with x_m, y_m and z_m. Negative masses are holes.
-body_pieces <- function(body, zero, most = 2000L) {
+body_pieces <- function(body, zero, maximum = 2000L) {
   empty <- data.frame(what = character(), x = double(), y = double(), z = double())
   xyz <- c("x_m", "y_m", "z_m")
   pieces <- lapply(names(body$detail), function(name) {
     table <- body$detail[[name]]
     if (!is.data.frame(table) || !all(xyz %in% names(table)) || !nrow(table)) return(empty)
-    kept <- unique(round(seq(1, nrow(table), length.out = min(nrow(table), most))))
+    kept <- unique(round(seq(1, nrow(table), length.out = min(nrow(table), maximum))))
     mass <- if ("mass_kg" %in% names(table)) table$mass_kg[kept] else 0
     data.frame(
       what = ifelse(mass < 0, "cut out", if (name == "parts") "part" else "point"),

@@ -3,7 +3,7 @@
 #' The margin of each condition of [check_inertia()], relative to its limit: negative where the
 #' condition fails. Margins beyond 1 are drawn at 1. The first twelve tensors have a panel each.
 #'
-#' @param object What [check_inertia()] returned.
+#' @param object A check, from [check_inertia()].
 #' @inheritParams autoplot.rot_trajectory
 #' @return A ggplot, with alternative text.
 #' @section Errors: `rotdyn_error_package` without ggplot2; `rotdyn_error_argument`,

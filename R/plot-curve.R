@@ -2,7 +2,7 @@
 #'
 #' The path of the centre, to scale, with its places at equal intervals of time and how it ends.
 #'
-#' @param object What [roll_on_curve()] returned.
+#' @param object From [roll_on_curve()].
 #' @inheritParams autoplot.rot_trajectory
 #' @return A ggplot, with alternative text.
 #' @section Errors: `rotdyn_error_package` without ggplot2; `rotdyn_error_argument`,

@@ -8,7 +8,7 @@
 #' Samples are drawn where they are: in the panel of the angle or of the rate. Residuals beyond 6
 #' standard deviations are drawn at the edge.
 #'
-#' @param object What [estimate_motion()] returned.
+#' @param object A `rot_estimate`, from [estimate_motion()].
 #' @inheritParams autoplot.rot_trajectory
 #' @return A ggplot, with alternative text.
 #' @section Errors: `rotdyn_error_package` without ggplot2; `rotdyn_error_argument`,

@@ -5,7 +5,7 @@
 #' Arrows of rotation are for a first shaft that turns in the positive sense. A [scene_gears()] is
 #' drawn likewise.
 #'
-#' @param object What [gear_train()] returned.
+#' @param object From [gear_train()].
 #' @inheritParams autoplot.rot_trajectory
 #' @return A ggplot, with alternative text.
 #' @section Errors: `rotdyn_error_package` without ggplot2; `rotdyn_error_argument`,

@@ -3,7 +3,7 @@
 #' The energy before and after, stacked: translation and rotation of each body, and what was lost to
 #' restitution and to friction. Both bars have one height where the energy balances.
 #'
-#' @param object What [collision_ledger()] returned.
+#' @param object From [collision_ledger()].
 #' @inheritParams autoplot.rot_trajectory
 #' @return A ggplot, with alternative text.
 #' @section Errors: `rotdyn_error_package` without ggplot2; `rotdyn_error_argument`,
@@ -23,8 +23,8 @@ autoplot.rot_ledger <- function(object, ..., base_size = 13) {
     abort_missing_column("verdict", object, call)
   }
   check_form(as.list(energies), form, "object", "ledger", call)
-  most <- max(abs(energies$before), abs(energies$after))
-  if (!isTRUE(is.finite(most) && most > 0)) {
+  maximum <- max(abs(energies$before), abs(energies$after))
+  if (!isTRUE(is.finite(maximum) && maximum > 0)) {
     abort_rotdyn("There is no energy to draw.", "value", call)
   }
   shown <- energies[energies$before != 0 | energies$after != 0, ]

@@ -3,7 +3,7 @@
 #' The shape of each mode: the angles of the rotors relative to the largest one, which is 1. Rotors
 #' on one side of 0 turn alike, others against them; a crossing of 0 is a node.
 #'
-#' @param object What [shaft_modes()] returned.
+#' @param object Modes, from [shaft_modes()].
 #' @inheritParams autoplot.rot_trajectory
 #' @param modes NULL for the first six, or the numbers of the modes to draw.
 #' @return A ggplot, with alternative text.

@@ -6,7 +6,7 @@
 #'
 #' The subtitle names what was read: samples, segments, source and the rate of the samples.
 #'
-#' @param object What [motion_record()] or [read_motion()] returned.
+#' @param object A record or a motion, from [motion_record()] or [read_motion()].
 #' @inheritParams autoplot.rot_trajectory
 #' @return A ggplot, with alternative text.
 #' @section Errors: `rotdyn_error_package` without ggplot2; `rotdyn_error_argument`,

@@ -3,7 +3,7 @@
 #' The bodies of a race beside each other at some of its times, as a stroboscope shows them: a spoke
 #' on each shows how far it has turned. The bodies are not to scale.
 #'
-#' @param object What [roll_race()] returned.
+#' @param object A `rot_race`, from [roll_race()].
 #' @inheritParams autoplot.rot_trajectory
 #' @param time_s NULL for some of the race's times, or those to draw.
 #' @return A ggplot, with alternative text.

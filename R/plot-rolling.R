@@ -2,7 +2,7 @@
 #'
 #' The final speed of each object, and how its kinetic energy is divided.
 #'
-#' @param object What [rolling_table()] returned.
+#' @param object From [rolling_table()].
 #' @inheritParams autoplot.rot_trajectory
 #' @return A ggplot.
 #' @section Errors: `rotdyn_error_package` without ggplot2; `rotdyn_error_argument`,

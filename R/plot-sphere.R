@@ -5,7 +5,7 @@
 #' Seen from 30 degrees beside x and 25 degrees above: what lies behind is pale. A dot marks the
 #' start.
 #'
-#' @param object What [axis_path()] or [polhode()] returned.
+#' @param object A path, from [axis_path()] or [polhode()].
 #' @inheritParams autoplot.rot_trajectory
 #' @return A ggplot, with alternative text.
 #' @section Errors: `rotdyn_error_package` without ggplot2; `rotdyn_error_argument`,
@@ -152,8 +152,9 @@ surface_plot <- function(shape, grid, paths, colours, labels, title, said, base_
     line(path[!path$seen, ], colour = colours, alpha = 0.3, linewidth = width) +
     line(lines[lines$seen, ], colour = "grey75", linewidth = 0.3)
   if (length(dashed)) {
-    apart <- gather(dashed, "dashed")
-    plot <- plot + line(apart[apart$seen, ], colour = "grey30", linetype = "42", linewidth = 0.4)
+    difference <- gather(dashed, "dashed")
+    plot <- plot + line(difference[difference$seen, ], colour = "grey30", linetype = "42",
+      linewidth = 0.4)
   }
   plot +
     ggplot2::geom_segment(

@@ -3,7 +3,7 @@
 #' The results of [spin_up_table()] or [incline_table()] over one of its parameters, a panel each; a
 #' second parameter distinguishes lines by colour.
 #'
-#' @param object What [spin_up_table()] or [incline_table()] returned.
+#' @param object A table from [spin_up_table()] or [incline_table()].
 #' @inheritParams autoplot.rot_trajectory
 #' @param x NULL, or the column across: by default the number that varies most.
 #' @param colour NULL, or the column that distinguishes lines: by default another one that varies,

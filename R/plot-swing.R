@@ -1,6 +1,6 @@
 #' Plot a swing fit
 #'
-#' The samples of the stretch with the fitted motion, its residuals, and the period of small swings
+#' The samples of the interval with the fitted motion, its residuals, and the period of small swings
 #' of each swing by its amplitude, with the fitted one and its 95 % interval as a band. A period
 #' that changes with the amplitude, or residuals that swell and fade, show another law.
 #'

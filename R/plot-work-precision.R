@@ -5,7 +5,7 @@
 #' is the true error, a ring at the same cost the error that the run reported, which should not be
 #' below its point. In the grey band true errors are not resolved (below 3 x `reference_error`).
 #'
-#' @param object What [work_precision()] returned.
+#' @param object A table, from [work_precision()].
 #' @inheritParams autoplot.rot_trajectory
 #' @return A ggplot, with alternative text.
 #' @section Errors: `rotdyn_error_package` without ggplot2; `rotdyn_error_argument`,
@@ -13,7 +13,7 @@
 #' @seealso [work_precision()].
 #' @examplesIf requireNamespace("ggplot2", quietly = TRUE)
 #' scene <- scene_axle(body_disk(2, 0.25), torque_constant(0.8), resistance(0.03))
-#' measured <- work_precision(scene, 0:8, accuracies = c(1e-3, 1e-9), least_batch_s = 0.002)
+#' measured <- work_precision(scene, 0:8, accuracies = c(1e-3, 1e-9), min_batch_s = 0.002)
 #' ggplot2::autoplot(measured)
 #' @exportS3Method ggplot2::autoplot
 #' @concept plot

@@ -68,8 +68,8 @@ text_size <- function(base_size) 0.72 * base_size / (72.27 / 25.4)
 plot_axis <- function() ggplot2::guide_axis(check.overlap = TRUE)
 
 # Few round values within the limits: fewer where the letters are large.
-plot_breaks <- function(base_size, most = 5) {
-  n <- max(2, round(most * 13 / max(base_size, 13)))
+plot_breaks <- function(base_size, maximum = 5) {
+  n <- max(2, round(maximum * 13 / max(base_size, 13)))
   function(limits) {
     at <- pretty(limits, n)
     at[at >= limits[1] & at <= limits[2]]

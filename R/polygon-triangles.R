@@ -42,8 +42,8 @@ flat_polygons <- function(vertices, polygons) {
   before <- c(n, seq_len(n - 1L))
   corner <- (u - u[before, , drop = FALSE]) * (v[turn, , drop = FALSE] - v) -
     (v - v[before, , drop = FALSE]) * (u[turn, , drop = FALSE] - u)
-  least <- -1e-12 * apply(abs(u) + abs(v), 2, max)^2
-  list(u = u, v = v, convex = colSums(corner < rep(least, each = n)) %in% 0)
+  minimum <- -1e-12 * apply(abs(u) + abs(v), 2, max)^2
+  list(u = u, v = v, convex = colSums(corner < rep(minimum, each = n)) %in% 0)
 }
 
 # Ear clipping: a triangle of neighbours that contains no other corner is cut off, until three

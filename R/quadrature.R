@@ -53,7 +53,7 @@ panel_integrals <- function(rates, from, to) {
 }
 
 # Panels evaluated beyond four for each at the start: some seconds, and 300 MB at a time.
-most_panels <- 2e5
+max_panels <- 2e5
 panels_at_once <- 5e4
 
 # The same over panels halved until the error is below rounding, 24 halvings are done, or the budget
@@ -61,8 +61,8 @@ panels_at_once <- 5e4
 # The error includes that of the times. `least`: the size of what the integrands are added to, below
 # whose rounding nothing is halved. `rough`: integrands that are errors, known to a digit, for which
 # nothing is halved. `unresolved`: the panels that 24 halvings did not resolve.
-integrate_panels <- function(rates, from, to, least = 0, rough = integer()) {
-  left <- most_panels + 4 * length(from)
+integrate_panels <- function(rates, from, to, minimum = 0, rough = integer()) {
+  left <- max_panels + 4 * length(from)
   n <- length(from)
   owner <- seq_len(n)
   total <- NULL
@@ -71,7 +71,7 @@ integrate_panels <- function(rates, from, to, least = 0, rough = integer()) {
   for (halving in 0:24) {
     panels <- panel_integrals(rates, from, to)
     if (is.null(total)) {
-      total <- pmax(colSums(panels$size), least)
+      total <- pmax(colSums(panels$size), minimum)
       total[is.na(total)] <- Inf # not finite: no halving helps
       value <- size <- error <- matrix(0, n, length(total))
     }

@@ -1,7 +1,7 @@
 # A run as rows of the database, and back.
 
-# A name for a run: the time in ms and a count of this session, so that names sort as they were
-# made, and digits of a hash, which leave the session's own random numbers alone.
+# Identifier of a run: time in ms, counter, digits of a hash. Sorts by creation; does not touch
+# .Random.seed.
 new_run_name <- function() {
   count <- (registry_texts$runs %||% 0) + 1
   registry_texts$runs <- count
@@ -120,7 +120,7 @@ first_of <- function(names) sub("_[0-9]+_", "_1_", names)
 # Columns of text have their values as numbers in the table of values: of each row that differs from
 # the one before, the first 52 bits of a hash, under the name of the column with this before it.
 text_mark <- "text of "
-most_texts <- 10000L
+max_texts <- 10000L
 
 hash_of_texts <- function(x) {
   known <- unique(x[!is.na(x)])
@@ -135,7 +135,7 @@ kept_texts <- function(x) {
   n <- length(code)
   same <- code[-1] == code[-n] | is.na(code[-1]) & is.na(code[-n])
   place <- which(c(TRUE, !(same %in% TRUE))[seq_len(n)])
-  if (length(place) <= most_texts) list(place = place, value = code[place])
+  if (length(place) <= max_texts) list(place = place, value = code[place])
 }
 
 # The rows in which columns of text are others than those of the record: a list by column; NULL for

@@ -112,10 +112,10 @@ check_race_column <- function(x, name, call) {
   lower <- known$lower
   upper <- known$upper %||% Inf
   open <- isTRUE(known$open)
-  most <- suppressWarnings(range(x, na.rm = TRUE))
+  maximum <- suppressWarnings(range(x, na.rm = TRUE))
   if (!length(x) || all(is.na(x))) return(invisible())
-  fine <- most[1] >= lower && most[2] <= upper && !(open && most[1] <= lower) &&
-    (all(is.finite(most)) || isTRUE(known$infinite))
+  fine <- maximum[1] >= lower && maximum[2] <= upper && !(open && maximum[1] <= lower) &&
+    (all(is.finite(maximum)) || isTRUE(known$infinite))
   if (fine) return(invisible())
   outside <- x < lower | x > upper | (open & x <= lower) |
     (is.infinite(x) & !isTRUE(known$infinite))

@@ -135,9 +135,9 @@ rolling_disk_speed <- function(body, ..., gravity_m_per_s2 = 9.80665) {
   if (length(bad)) {
     abort_domain(gravity[bad[1]], "gravity_m_per_s2", "m/s^2", call, 0, Inf, FALSE, row = bad[1])
   }
-  least <- .Call(ffi_rolling_disk_least, x$radius_m, x$axial, x$transverse, x$gravity_m_per_s2)
+  minimum <- .Call(ffi_rolling_disk_min, x$radius_m, x$axial, x$transverse, x$gravity_m_per_s2)
   new_table(
-    list(least_speed_m_per_s = least * x$radius_m, least_spin_rad_per_s = least), nrow = n
+    list(min_speed_m_per_s = minimum * x$radius_m, min_spin_rad_per_s = minimum), nrow = n
   )
 }
 

@@ -14,7 +14,7 @@
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (NA, NaN and Inf,
 #'   an axis of length 0, two angles), `rotdyn_error_unit`, `rotdyn_error_missing` for no angle.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 4.7.
-#' @seealso [place_body()], [inertia_tensor()], [angle_units].
+#' @seealso [place_body()], [inertia_tensor()], [convert_angle()].
 #' @concept rotation matrix
 #' @examples
 #' rotation_about("z", angle_deg = 90)

@@ -145,11 +145,11 @@ check_rotors <- function(rotors, inertia, call) {
   for (one in rotors) {
     tensor <- tensor - one$moment_of_inertia_kg_m2 * outer(one$axis, one$axis)
   }
-  least <- min(eigen(tensor, symmetric = TRUE, only.values = TRUE)$values)
-  if (least > 1e-12 * max(inertia$moment_of_inertia_kg_m2)) return(invisible())
+  minimum <- min(eigen(tensor, symmetric = TRUE, only.values = TRUE)$values)
+  if (minimum > 1e-12 * max(inertia$moment_of_inertia_kg_m2)) return(invisible())
   message <- c(
     "The rotors have more moment of inertia than the body with them.",
-    x = "Without them its least moment is {format(least, digits = 7)} kg m^2.",
+    x = "Without them its least moment is {format(minimum, digits = 7)} kg m^2.",
     i = "{.arg body} includes the rotors, locked: their mass and their moments."
   )
   if (!all(vapply(rotors, is_driven, NA))) {

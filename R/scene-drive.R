@@ -74,8 +74,8 @@ coupling_clutch <- function(capacity_n_m, ..., static_ratio = 1, ratio = 1, from
   call <- rlang::current_env()
   check_supplied("capacity_n_m", call)
   check_no_dots(...)
-  grip <- new_grip(capacity_n_m, static_ratio, from_s, to_s, call)
-  new_coupling("clutch", c(grip, list(ratio = check_ratio(ratio, call))))
+  friction <- new_friction(capacity_n_m, static_ratio, from_s, to_s, call)
+  new_coupling("clutch", c(friction, list(ratio = check_ratio(ratio, call))))
 }
 
 #' @rdname couplings
@@ -97,9 +97,9 @@ brake <- function(capacity_n_m, ..., static_ratio = 1, from_s = -Inf, to_s = Inf
   call <- rlang::current_env()
   check_supplied("capacity_n_m", call)
   check_no_dots(...)
-  grip <- new_grip(capacity_n_m, static_ratio, from_s, to_s, call)
-  class(grip) <- "rot_brake"
-  grip
+  friction <- new_friction(capacity_n_m, static_ratio, from_s, to_s, call)
+  class(friction) <- "rot_brake"
+  friction
 }
 
 check_ratio <- function(ratio, call) {
@@ -118,7 +118,7 @@ is_coupling <- function(x, kind) inherits(x, paste0("rot_coupling_", kind))
 
 loses_power <- function(coupling) is_coupling(coupling, "gear") && coupling$efficiency < 1
 
-new_grip <- function(capacity, static_ratio, from_s, to_s, call) {
+new_friction <- function(capacity, static_ratio, from_s, to_s, call) {
   if (is.numeric(capacity)) {
     capacity <- check_number(capacity, "capacity_n_m", "N*m", call, lower = 0)
   }
@@ -281,7 +281,7 @@ as_brake <- function(x, call) {
   x
 }
 
-describe_grip <- function(x) {
+describe_friction <- function(x) {
   paste0(
     sub("^constant, ", "", describe_torque(x$capacity_n_m)),
     if (x$static_ratio > 1) paste0(", ", format_si(x$static_ratio), " times that at rest"),
@@ -297,7 +297,7 @@ describe_coupling <- function(x) {
     return(paste0("gear, ", ratio, loss))
   }
   what <- if (is_coupling(x, "clutch")) {
-    paste("clutch,", describe_grip(x))
+    paste("clutch,", describe_friction(x))
   } else {
     paste0(
       "shaft, ", format_si(x$stiffness_n_m_per_rad), " N m/rad",
@@ -317,7 +317,7 @@ print.rot_coupling <- function(x, ...) {
 #' @export
 print.rot_brake <- function(x, ...) {
   check_form(x, brake_form, "x", "brake", rlang::current_env())
-  cat("<rot_brake> ", describe_grip(x), "\n", sep = "")
+  cat("<rot_brake> ", describe_friction(x), "\n", sep = "")
   invisible(x)
 }
 
@@ -338,7 +338,7 @@ print.rot_scene_drive <- function(x, ...) {
       if (!is.null(resistance) && describe_resistance(resistance) != "none") {
         c("    resistance  ", describe_resistance(resistance), "\n")
       },
-      if (!is.null(x$brake[[i]])) c("    brake       ", describe_grip(x$brake[[i]]), "\n"),
+      if (!is.null(x$brake[[i]])) c("    brake       ", describe_friction(x$brake[[i]]), "\n"),
       if (i < n) c("  ", describe_coupling(x$couplings[[i]]), "\n"),
       sep = ""
     )

@@ -5,17 +5,17 @@
 #' \deqn{m \dot v = m g \sin\alpha - F,\quad I \dot\omega = F R - T}{
 #'   m v' = m g sin(alpha) - F,  I omega' = F R - T}
 #' and the normal force `N = m g cos(alpha)`. While the contact slips, with the slip speed
-#' `u = v - R omega`, the friction is `F = mu_k N sign(u)`; while it grips, `F` is what keeps
+#' `u = v - R omega`, the friction is `F = mu_k N sign(u)`; while it sticks, `F` is what keeps
 #' `u = 0`, as long as that is at most `mu_s N`. The rolling resistance is `T = b N sign(omega)`,
 #' and at rest what holds the body, up to `b N`.
 #'
 #' [trajectory()] gives the closed form with the exact times of its events: `roll` (slip ends),
-#' `slip` (the grip is lost), `reverse` (the velocity passes zero), `slip_reverse` (the slip passes
-#' zero, and friction is too weak to keep it there), `stick` (the body comes to rest and stays).
-#' They have rows of their own with `event_rows = TRUE`. A force that exceeds what friction holds by
-#' less than rounding is held: at its [critical angle][rolling_critical_angle()] a body rolls. From
-#' rest, what holds least gives way first: a body that can roll without slipping does. Launched
-#' uphill, with back-spin or over-spin, are signs of the start.
+#' `slip` (static friction is exceeded), `reverse` (the velocity passes zero), `slip_reverse` (the
+#' slip passes zero, and friction is too weak to keep it there), `stick` (the body comes to rest and
+#' stays). They have rows of their own with `event_rows = TRUE`. A force that exceeds what friction
+#' holds by less than rounding is held: at its [critical angle][rolling_critical_angle()] a body
+#' rolls. From rest, what holds least gives way first: a body that can roll without slipping does.
+#' Launched uphill, with back-spin or over-spin, are signs of the start.
 #'
 #' @param body A `rot_body` that is round about its own z axis, such as [body_sphere()],
 #'   [body_disk()] or [body_hoop()], or of which a part is, such as the wheel of a compound. Its
@@ -234,7 +234,7 @@ friction_needed <- function(scene, ...) {
   if (has_outer_force(scene)) {
     abort_rotdyn(c(
       "What air drag or a force of its own needs changes on the way.",
-      i = "The events {.val slip} of {.fn trajectory} say where the grip is lost."
+      i = "The events {.val slip} of {.fn trajectory} say where static friction is exceeded."
     ), "value", call)
   }
   beta <- scene$moment_of_inertia_kg_m2 / scene$mass_kg / scene$radius_m^2
@@ -242,11 +242,11 @@ friction_needed <- function(scene, ...) {
     "radius_m", "incline_angle_deg", "gravity_m_per_s2", "static_friction", "kinetic_friction",
     "rolling_arm_m"
   )]), progress_bar("incline"))
-  grips <- scene$static_friction * (1 + beta) - scene$rolling_arm_m / scene$radius_m
+  sticks <- scene$static_friction * (1 + beta) - scene$rolling_arm_m / scene$radius_m
   critical <- if (scene$rolling_arm_m == 0) {
     .Call(ffi_incline_critical, beta, scene$static_friction)
-  } else if (grips >= 0) {
-    atan(grips / beta) * 180 / pi
+  } else if (sticks >= 0) {
+    atan(sticks / beta) * 180 / pi
   } else {
     NA_real_
   }

@@ -34,7 +34,7 @@
 #'   `rot_body` only.
 #' @param mass_kg,centre_m With moments as the body: its mass, and the centre of mass from the fixed
 #'   point, three numbers in the body's axes.
-#' @param torque_n_m Torque about the fixed point, besides gravity: as in [scene_free()].
+#' @param torque Torque about the fixed point, besides gravity: as in [scene_free()].
 #' @param gravity_m_per_s2 Acceleration of gravity, at least 0.
 #' @return A `rot_scene_pivot`, which is a `rot_scene`. Its trajectory has the columns
 #'   `r describe_columns(columns_of_motion("pivot"))`

@@ -247,8 +247,8 @@ structure_of <- function(loads, supports, tolerance) {
   all <- unlist(parts, recursive = FALSE)
   owner <- rep(seq_along(parts), lengths(parts))
   first <- cumsum(c(0, lengths(parts)))[seq_along(parts)]
-  grips <- vapply(supports, function(one) one$kind == "surface" && one$friction > 0, NA)
-  normals <- lapply(supports[grips], function(one) {
+  rough <- vapply(supports, function(one) one$kind == "surface" && one$friction > 0, NA)
+  normals <- lapply(supports[rough], function(one) {
     normal <- c(one$normal, 0)[1:3]
     normal <- normal / max(abs(normal))
     normal / sqrt(sum(normal^2))
@@ -258,8 +258,8 @@ structure_of <- function(loads, supports, tolerance) {
   problem <- list(
     plane = as.double(is_plane(loads)), at = numbers("at"), from = numbers("from"),
     to = numbers("to"), is_couple = numbers("couple"), one_sided = numbers("one_sided"),
-    first = as.double(first[grips]), normal = as.double(unlist(normals)),
-    friction = as.double(vapply(supports[grips], `[[`, 0, "friction")),
+    first = as.double(first[rough]), normal = as.double(unlist(normals)),
+    friction = as.double(vapply(supports[rough], `[[`, 0, "friction")),
     load_at = as.double(system$at), load_force = as.double(system$force),
     load_couple = as.double(system$couple), rank_tolerance = tolerance
   )
@@ -328,8 +328,8 @@ verdict_words <- c(
 
 times_word <- function(n) if (n == 1) "once" else paste(n, "times")
 
-listed <- function(x, most = 6L) {
-  if (length(x) > most) x <- c(utils::head(x, most), paste(length(x) - most, "more"))
+listed <- function(x, maximum = 6L) {
+  if (length(x) > maximum) x <- c(utils::head(x, maximum), paste(length(x) - maximum, "more"))
   paste(x, collapse = ", ")
 }
 
@@ -421,13 +421,13 @@ contacts_of <- function(rest, force) {
     unit <- unit / max(abs(unit))
     unit <- unit / sqrt(sum(unit^2))
     push <- sum(force[, i] * unit)
-    grip <- length_of(force[, i] - push * unit)
-    if (grip <= slack) grip <- 0
+    tangential <- length_of(force[, i] - push * unit)
+    if (tangential <= slack) tangential <- 0
     if (rest$rests) push <- max(push, 0)
     out$normal[i] <- push
-    out$friction[i] <- grip
-    out$needed[i] <- if (grip == 0) 0 else if (push > slack) grip / push else Inf
-    out$margin[i] <- if (grip == 0) 1 else if (one$friction == Inf && push >= -slack) 1 else
+    out$friction[i] <- tangential
+    out$needed[i] <- if (tangential == 0) 0 else if (push > slack) tangential / push else Inf
+    out$margin[i] <- if (tangential == 0) 1 else if (one$friction == Inf && push >= -slack) 1 else
       if (push > slack) 1 - out$needed[i] / one$friction else -Inf
     if (rest$rests) { # at the limit within the error
       out$needed[i] <- min(out$needed[i], one$friction)
@@ -435,7 +435,9 @@ contacts_of <- function(rest, force) {
     }
     if (push < -slack) {
       out$state[i] <- "lifts"
-    } else if (one$friction < Inf && grip > one$friction * push + (1 + one$friction) * slack) {
+    } else if (
+      one$friction < Inf && tangential > one$friction * push + (1 + one$friction) * slack
+    ) {
       out$state[i] <- "slides"
     }
   }
@@ -447,11 +449,11 @@ margins_of <- function(rest) {
   s <- rest$structure
   rows <- support_rows(rest)
   pushes <- vapply(s$supports, function(one) one$kind %in% c("surface", "cable"), NA)
-  least <- function(x) if (length(x)) min(x) else NA_real_
+  minimum <- function(x) if (length(x)) min(x) else NA_real_
   known <- rows$determined & pushes
   list(
-    tipping_margin_n = least(rows$normal_n[known]),
-    sliding_margin = least(rows$sliding_margin[known & !is.na(rows$sliding_margin)])
+    tipping_margin_n = minimum(rows$normal_n[known]),
+    sliding_margin = minimum(rows$sliding_margin[known & !is.na(rows$sliding_margin)])
   )
 }
 

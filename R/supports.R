@@ -13,7 +13,7 @@
 #' | `support_cable()` | 1, a pull | 1, a pull | motion away from the anchor |
 #' | `support_rod()` | 1 | 1 | motion along the rod: hinged at both ends, push or pull |
 #'
-#' A surface pushes along its normal, and grips with friction of at most `friction` times the push;
+#' A surface pushes along its normal, and has friction of at most `friction` times the push;
 #' it lifts off rather than pull. A rod's and a cable's own weight is ignored.
 #'
 #' @param at_m The point of the body that is supported: two numbers in a plane, three in space.

@@ -142,14 +142,14 @@ check_sweep_rows <- function(columns, known, start_s, call) {
   first <- function(bad) which(bad & known)[1]
   for (name in names(columns)) {
     x <- columns[[name]]
-    least <- if (name %in% c("quadratic_n_m_s2", "coulomb_n_m", "static_n_m")) 0 else -Inf
+    minimum <- if (name %in% c("quadratic_n_m_s2", "coulomb_n_m", "static_n_m")) 0 else -Inf
     open <- name == "moment_of_inertia_kg_m2"
-    if (length(x) == 0L || (all(is.finite(x)) && min(x) >= least && !(open && min(x) <= 0))) next
-    bad <- first(rep_len(!is.finite(x) | x < least | (open & x <= 0), length(known)))
+    if (length(x) == 0L || (all(is.finite(x)) && min(x) >= minimum && !(open && min(x) <= 0))) next
+    bad <- first(rep_len(!is.finite(x) | x < minimum | (open & x <= 0), length(known)))
     if (!is.na(bad)) {
       value <- rep_len(x, length(known))[bad]
       unit <- if (name == "time_s") "s" else sweep_parameters[[name]][[1]]
-      abort_domain(value, name, unit, call, if (open) 0 else least, Inf, open, row = bad)
+      abort_domain(value, name, unit, call, if (open) 0 else minimum, Inf, open, row = bad)
     }
   }
   bad <- if (any(columns$time_s < start_s, na.rm = TRUE)) {

@@ -1,4 +1,4 @@
-# The fit of a free motion to the samples of a stretch, its noise, and the test of its law.
+# The fit of a free motion to the samples of a interval, its noise, and the test of its law.
 
 # In the order of the core. What each is called in a result.
 swing_losses <- c("viscous", "coulomb", "quadratic")
@@ -99,7 +99,7 @@ find_noise <- function(time, columns, r) {
 }
 
 # What a wrong law leaves over: slow changes of phase and amplitude beyond those fitted, and another
-# form of the swing. As many columns as the stretch has swings for.
+# form of the swing. As many columns as the interval has swings for.
 misfit_columns <- function(time, now, offset, swings, kind) {
   x <- 2 * (time - time[1]) / (time[length(time)] - time[1]) - 1
   slow <- cbind(

@@ -50,7 +50,7 @@ find_swings <- function(time, y, kind, restoring) {
   )
   list(
     swings = swings, passages = found$passages, peaks = found$peaks, peak_times = found$times,
-    centre = centre, grows = find_growth(found$times, heights)
+    centre = centre, grows = find_amplification(found$times, heights)
   )
 }
 
@@ -62,7 +62,7 @@ peak_noise <- function(heights) {
 }
 
 # Times between which the peaks rise by more than their scatter and a twentieth; NULL for none.
-find_growth <- function(time, heights) {
+find_amplification <- function(time, heights) {
   keep <- is.finite(heights)
   time <- time[keep]
   heights <- heights[keep]
@@ -244,8 +244,8 @@ choose_free <- function(swings, restoring) {
   swings
 }
 
-# The longest stretch of free swings in a row, of one segment.
-longest_stretch <- function(swings) {
+# The longest interval of free swings in a row, of one segment.
+longest_interval <- function(swings) {
   new <- c(TRUE, diff(swings$segment) != 0)
   run <- cumsum(!swings$used | new)
   size <- tapply(swings$used, run, sum)
@@ -259,7 +259,7 @@ longest_stretch <- function(swings) {
 
 # ---- damping from the peaks ---------------------------------------------------------------------
 
-# Losses by least squares on the peaks of the stretch alone: those of the exact motion that starts
+# Losses by least squares on the peaks of the interval alone: those of the exact motion that starts
 # at the first peak, each by its spread. NULL with fewer than five peaks, or three more than what is
 # fitted. The error is that of the scatter, with the correlation of neighbours.
 peak_damping <- function(best, swings, kind, restoring, losses) {

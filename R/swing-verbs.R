@@ -1,7 +1,7 @@
 #' The fitted swing at any time
 #'
 #' @param object,x A [fit_swing()].
-#' @param time_s Times, not before the first sample of the stretch that was fitted; NULL for those
+#' @param time_s Times, not before the first sample of the interval that was fitted; NULL for those
 #'   of its samples.
 #' @param ... Not used: an unknown argument is an error.
 #' @param level Probability of the bands.
@@ -9,7 +9,7 @@
 #'   `omega_rad_per_s` without the sensor's offset, with its standard error (`_se`) and the ends of
 #'   its band (`_lower`, `_upper`; pointwise, of the fitted motion and not of new samples). Its
 #'   losses are those of the fit with none below 0.
-#'   `augment()`: a row for each sample of the stretch: `time_s`, `measured`, `fitted` (with the
+#'   `augment()`: a row for each sample of the interval: `time_s`, `measured`, `fitted` (with the
 #'   offset), `residual`. `glance()`: one row for the fit: numbers of swings and samples, period,
 #'   omega0, the losses and their standard errors (NA where not fitted), residuals and the verdict
 #'   on the law.
@@ -42,8 +42,8 @@ predict.rot_swing_fit <- function(object, time_s = NULL, ..., level = 0.95) {
   start <- object$samples$time_s[1]
   if (length(time_s) && min(time_s) < start) {
     abort_rotdyn(c(
-      "{.arg time_s} must not be before the stretch that was fitted.",
-      x = "It has {format_si(min(time_s))} s; the stretch starts at {format_si(start)} s.",
+      "{.arg time_s} must not be before the interval that was fitted.",
+      x = "It has {format_si(min(time_s))} s; the interval starts at {format_si(start)} s.",
       i = "{.fn as_scene} gives the scene, which goes back in time."
     ), "time", call)
   }

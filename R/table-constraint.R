@@ -18,21 +18,21 @@ table_constraint <- function(id, models, ..., makers = list()) {
     event_rows = if (table$event_rows) TRUE,
     keys = c("time_s", table$index, unlist(state[table$measures], use.names = FALSE)),
     index = table$index,
-    copies = function(scene) .Call(ffi_scene_copies, id, scene),
+    rows_per_time = function(scene) .Call(ffi_scene_rows_per_time, id, scene),
     measures = lapply(state[table$measures], function(columns) {
       measure(table$units[match(columns[1], table$columns)], columns)
     }),
-    pace = function(scene, sizes, model) {
-      pace <- .Call(ffi_scene_pace, id, scene, as.double(sizes))
+    time_scales = function(scene, sizes, model) {
+      time_scales <- .Call(ffi_scene_time_scales, id, scene, as.double(sizes))
       inputs <- constraint_of(scene)$inputs
       times <- names(inputs)[vapply(inputs, function(input) input$form == "sorted", NA)]
-      pace$breaks_s <- c(pace$breaks_s, as.double(unlist(unclass(scene)[times])))
-      pace
+      time_scales$breaks_s <- c(time_scales$breaks_s, as.double(unlist(unclass(scene)[times])))
+      time_scales
     },
     call_laws = function(scene, call) call_table_laws(scene, call),
     summary = function(x, run) table_summary(unlist(state[table$measures]), x, run),
     balances = function(x, run, call) table_balances(id, table, x, run),
-    conserved = function(scene) table_keeps(id, table, scene),
+    conserved = function(scene) table_statements(id, table, scene),
     augment = function(x, run, edges, call) {
       flows <- table_flows(table, run, edges)$since
       if (length(flows)) flows <- sweep(flows, 2, flows[1, ])
@@ -141,11 +141,11 @@ run_table_model <- function(id, model, scene, time_s, control, call, looks) {
 }
 
 # Where events happen, in words: of a constraint with several bodies, or what couples them.
-with_places <- function(events, copies, between) {
+with_places <- function(events, rows_per_time, between) {
   place <- as.integer(events$place)
   list(
     time_s = as.double(events$time_s), event = as.character(events$event),
-    where = paste(ifelse(place > 0L, copies, between), abs(place), recycle0 = TRUE)
+    where = paste(ifelse(place > 0L, rows_per_time, between), abs(place), recycle0 = TRUE)
   )
 }
 
@@ -186,14 +186,14 @@ fixed_words <- function(id, ...) {
 
 # The largest rate between the rows, too, of one body; the last values.
 table_summary <- function(state, x, run) {
-  most <- if ("omega_rad_per_s" %in% state && is.null(constraint_of(run$scene)$index)) {
+  maximum <- if ("omega_rad_per_s" %in% state && is.null(constraint_of(run$scene)$index)) {
     found <- largest_values(x, run, "omega_rad_per_s", NULL)
     list(
       max_omega_rad_per_s = found$value[["omega_rad_per_s"]] %||% NA_real_,
       max_omega_time_s = found$time_s[["omega_rad_per_s"]] %||% NA_real_
     )
   }
-  c(most, lapply(
+  c(maximum, lapply(
     stats::setNames(state, paste0("final_", state)), function(column) last(x[[column]])
   ))
 }
@@ -243,10 +243,10 @@ table_flows <- function(table, run, time_s) {
 
 # The cells of the rows at one time, of a list of columns: by column, each with its copies; NULL
 # where rows are missing.
-table_cells <- function(table, x, time_s, copies) {
+table_cells <- function(table, x, time_s, rows_per_time) {
   rows <- which(x$time_s == time_s)
   rows <- if (is.null(table$index)) rows[1] else {
-    rows[match(seq_len(copies), x[[table$index]][rows])]
+    rows[match(seq_len(rows_per_time), x[[table$index]][rows])]
   }
   if (anyNA(rows)) return(NULL)
   unlist(lapply(table$columns, function(column) {
@@ -257,16 +257,16 @@ table_cells <- function(table, x, time_s, copies) {
 table_balances <- function(id, table, x, run) {
   scene <- run$solved
   x <- unclass(x) # columns of a tibble take 5 us each
-  of <- .Call(ffi_scene_keeps, id, scene)
+  of <- .Call(ffi_scene_conserved, id, scene)
   balanced <- seq_along(table$balances)
   none <- Map(
     no_balance, table$balances, of$about[balanced], of$unit[balanced], USE.NAMES = FALSE
   )
   if (!length(x$time_s)) return(none)
   ends <- as.double(x$time_s[c(1L, length(x$time_s))])
-  copies <- .Call(ffi_scene_copies, id, scene)
-  first <- table_cells(table, x, ends[1], copies)
-  final <- table_cells(table, x, ends[2], copies)
+  rows_per_time <- .Call(ffi_scene_rows_per_time, id, scene)
+  first <- table_cells(table, x, ends[1], rows_per_time)
+  final <- table_cells(table, x, ends[2], rows_per_time)
   flows <- table_flows(table, run, ends)
   if (is.null(first) || is.null(final) || is.null(flows)) return(none)
   terms <- .Call(
@@ -284,7 +284,7 @@ table_balances <- function(id, table, x, run) {
   })
 }
 
-table_keeps <- function(id, table, scene) {
-  of <- lapply(.Call(ffi_scene_keeps, id, scene), `[`, seq_along(table$kept))
-  Map(keeps, table$kept, of$about, of$conserved, of$why, USE.NAMES = FALSE)
+table_statements <- function(id, table, scene) {
+  of <- lapply(.Call(ffi_scene_conserved, id, scene), `[`, seq_along(table$kept))
+  Map(statement, table$kept, of$about, of$conserved, of$why, USE.NAMES = FALSE)
 }

@@ -88,22 +88,22 @@ when_in_scene <- function(scene, asked, first, until_s, accuracy, call) {
     })
   }
   run <- quietly(run_to(start, start))
-  pace <- pace_of(run)
-  marks <- pace$breaks_s[pace$breaks_s > start] - start
-  swing <- if (pace$swing_rad_per_s > 0) 2 * pi / pace$swing_rad_per_s
-  times <- c(swing, marks, pace$fades_s, if (is.null(swing)) 1)
+  time_scales <- time_scales_of(run)
+  marks <- time_scales$breaks_s[time_scales$breaks_s > start] - start
+  swing <- if (time_scales$swing_rad_per_s > 0) 2 * pi / time_scales$swing_rad_per_s
+  times <- c(swing, marks, time_scales$fades_s, if (is.null(swing)) 1)
   times <- times[is.finite(times) & times > 0]
   closed <- !isTRUE(record_of(run)$adapts)
-  swings <- !is.null(swing) && !isTRUE(pace$drifts)
-  most <- if (swings) 1e3 * swing + 10 * max(times) else
+  swings <- !is.null(swing) && !isTRUE(time_scales$drifts)
+  maximum <- if (swings) 1e3 * swing + 10 * max(times) else
     if (closed) 1e12 * max(times) else 1e3 * max(times)
   from <- start
   reach <- min(times)
   repeat {
-    to <- start + min(reach, most)
+    to <- start + min(reach, maximum)
     run <- quietly(run_to(from, to))
     found <- search_run(run, asked, c(from, to), call)
-    if (length(found$time_s) || reach >= most) break
+    if (length(found$time_s) || reach >= maximum) break
     if (closed) from <- to
     reach <- 4 * reach
   }
@@ -124,13 +124,13 @@ asked_value <- function(scene, dots, call) {
   }
   body <- 1L
   if (!is.null(index)) {
-    most <- constraint$copies(scene)
-    if (is.null(dots[[index]]) && most > 1L) {
+    maximum <- constraint$rows_per_time(scene)
+    if (is.null(dots[[index]]) && maximum > 1L) {
       abort_rotdyn(c(
-        "Name the body, too.", i = "Such as {.code {index} = 2}, from 1 to {most}."
+        "Name the body, too.", i = "Such as {.code {index} = 2}, from 1 to {maximum}."
       ), "type", call)
     }
-    body <- as.integer(check_number(dots[[index]] %||% 1, index, "1", call, 1, most))
+    body <- as.integer(check_number(dots[[index]] %||% 1, index, "1", call, 1, maximum))
   }
   # Those of shaft 3, 4, ... are listed as those of 2.
   listed <- sub("^rotor_[0-9]+_", "rotor_1_", sub("^(theta|omega)_[0-9]+_", "\\1_2_", columns))

@@ -234,7 +234,7 @@ torque_steps_of <- function(torque, arg, call) {
   n <- length(time)
   outside <- loads$knots$outside
   if (n == 0L) return(list(time_s = double(), torque_n_m = outside[1]))
-  apart <- which(diff(time) > 0)
-  if (any(value[apart] != value[apart + 1L])) refuse()
-  list(time_s = time[c(apart, n)], torque_n_m = c(outside[1], value[apart], outside[2]))
+  difference <- which(diff(time) > 0)
+  if (any(value[difference] != value[difference + 1L])) refuse()
+  list(time_s = time[c(difference, n)], torque_n_m = c(outside[1], value[difference], outside[2]))
 }

@@ -3,7 +3,7 @@
 # sinusoid over 8 s takes some 130 samples where the integration would take 3500.
 
 sample_degree <- 32L
-most_samples <- 50000L
+max_samples <- 50000L
 
 # list(at, calls, own): at(time_s) evaluates the law at many times, at the angle and rate where the
 # scene starts, calls() counts the times so far, own is the law as src/glue/torque.h reads it.
@@ -57,7 +57,7 @@ abort_torque_value <- function(value, time_s, call) {
 # list(terms, error, largest, impulse): the law as Chebyshev pieces over `span`, a term for each
 # number that it gives, their largest error and value in N m, the integral of the error in N m s.
 # NULL where the law is not finite or the pieces do not converge: then the integrator calls it.
-sample_torque <- function(reader, span, breaks_s, accuracy, most = most_samples) {
+sample_torque <- function(reader, span, breaks_s, accuracy, maximum = max_samples) {
   if (!(span[2] > span[1])) return(NULL)
   edges <- c(span[1], breaks_s[breaks_s > span[1] & breaks_s < span[2]], span[2])
   from <- edges[-length(edges)]
@@ -67,7 +67,7 @@ sample_torque <- function(reader, span, breaks_s, accuracy, most = most_samples)
   samples <- 0
   repeat {
     samples <- samples + (sample_degree + 1L) * length(from)
-    now <- if (samples <= most) fit_pieces(reader$at, from, to)
+    now <- if (samples <= maximum) fit_pieces(reader$at, from, to)
     if (is.null(now)) return(NULL)
     largest <- max(largest, now$height)
     wanted <- largest * max(1e-3 * accuracy, 2e-14) # below, many laws have noise of their own
@@ -109,15 +109,15 @@ sample_torque <- function(reader, span, breaks_s, accuracy, most = most_samples)
 # sample of a piece and its end, 1/1000 of its length, shows in the next piece alone. Of two that
 # differ by more than `most` where they meet, the longer one; at a break, where the law may jump,
 # those that differ from the law just inside.
-do_not_meet <- function(fit, span, breaks_s, at, most) {
+do_not_meet <- function(fit, span, breaks_s, at, maximum) {
   n <- nrow(fit$a)
   from <- as.vector(fit$from)
   to <- c(from[-1L], span[2])
   at_end <- polynomials_at(fit, 1)
   at_start <- polynomials_at(fit, -1)
-  apart <- rows_max(at_end[-n, , drop = FALSE] - at_start[-1L, , drop = FALSE])
+  difference <- rows_max(at_end[-n, , drop = FALSE] - at_start[-1L, , drop = FALSE])
   broken <- from[-1L] %in% breaks_s
-  longer <- ifelse(apart > most & !broken, (to - from)[-n] / (to - from)[-1L], NA)
+  longer <- ifelse(difference > maximum & !broken, (to - from)[-n] / (to - from)[-1L], NA)
   halve <- seq_len(n) %in% c(which(longer > 1 - 1e-9), which(longer < 1 + 1e-9) + 1L)
   for (side in c(-1, 1)) {
     i <- which(broken) + (side < 0)
@@ -125,7 +125,7 @@ do_not_meet <- function(fit, span, breaks_s, at, most) {
     inside <- (to - from)[i] * 2^-17
     law <- as.matrix(at(if (side < 0) from[i] + inside else to[i] - inside))
     off <- rows_max(law - polynomials_at(fit, side * (1 - 2^-16))[i, , drop = FALSE])
-    halve[i] <- halve[i] | !(off <= most)
+    halve[i] <- halve[i] | !(off <= maximum)
   }
   halve
 }
@@ -171,12 +171,12 @@ fit_pieces <- function(at, from, to) {
 
 # The samples of a law, compared with the law on the grid of its scan. What lies between the nodes
 # of the samples shows there, and the law is sampled anew around it. NULL as sample_torque().
-sample_and_compare <- function(reader, resolution, span, seen, accuracy, most = most_samples) {
+sample_and_compare <- function(reader, resolution, span, seen, accuracy, maximum = max_samples) {
   stops <- seen$stops
   time_s <- seen$time_s
   value <- seen$torque_n_m
   for (round in 1:8) {
-    sampled <- sample_torque(reader, span, stops, accuracy, most)
+    sampled <- sample_torque(reader, span, stops, accuracy, maximum)
     if (is.null(sampled)) return(NULL)
     if (is.null(time_s)) { # breaks were given: not the grid's own points, which they may be
       n <- scan_points_of(resolution)

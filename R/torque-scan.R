@@ -15,7 +15,7 @@ law_resolution <- 0.005
 # The spacing of probes, of that width: ROT_ODE_GAP.
 probe_gap <- 0.78125
 scan_points_vectorised <- 8193L
-most_breaks <- 1000L
+max_breaks <- 1000L
 
 resolution_of <- function(scene) .subset2(scene, "resolution") %||% law_resolution
 
@@ -91,7 +91,7 @@ wider_changes <- function(t, y, jumps) {
 # Where a size is larger than four times the median of the nine around it.
 stands_out <- function(size, floor) {
   at <- which(size > floor & size > 4 * stats::runmed(size, 9, endrule = "keep"))
-  if (length(at) > 1L) at[order(-size[at])][seq_len(min(length(at), most_breaks))] else at
+  if (length(at) > 1L) at[order(-size[at])][seq_len(min(length(at), max_breaks))] else at
 }
 
 # sort() of one number takes 40 us, of which a scan has four.
@@ -159,9 +159,10 @@ cross_curves <- function(f, t, y) {
   left <- c(y[1], 3 * y[1] - 3 * side[2] + side[1], 6 * y[1] - 8 * side[2] + 3 * side[1])
   right <- c(6 * y[3] - 8 * side[3] + 3 * side[4], 3 * y[3] - 3 * side[3] + side[4], y[3])
   # right - left at the ends and in the middle; its zero as a part of the width.
-  apart <- right - left
-  bend <- 2 * (apart[1] - 2 * apart[2] + apart[3])
-  slope <- apart[3] - apart[1] - bend
-  part <- -2 * apart[1] / (slope + sign(slope) * sqrt(max(0, slope^2 - 4 * bend * apart[1])))
+  difference <- right - left
+  bend <- 2 * (difference[1] - 2 * difference[2] + difference[3])
+  slope <- difference[3] - difference[1] - bend
+  part <- -2 * difference[1] / (slope + sign(slope) * sqrt(max(0,
+    slope^2 - 4 * bend * difference[1])))
   t[1] + width * if (is.finite(part) && part >= 0 && part <= 1) part else 0.5
 }

@@ -340,10 +340,10 @@ check_lengths <- function(x, torque_n_m, call) {
 
 check_increasing <- function(x, arg, unit, call) {
   x <- check_finite(x, arg, unit, call)
-  least <- if (arg == "breaks_s" || arg == "omega_rad_per_s") 2L else 1L
-  if (length(x) < least) {
+  minimum <- if (arg == "breaks_s" || arg == "omega_rad_per_s") 2L else 1L
+  if (length(x) < minimum) {
     abort_rotdyn(
-      c("{.arg {arg}} must have at least {least} element{?s}.", x = "It has {length(x)}."),
+      c("{.arg {arg}} must have at least {minimum} element{?s}.", x = "It has {length(x)}."),
       "size", call
     )
   }

@@ -159,16 +159,17 @@ text_node.rot_inertia_knots <- function(x, where, call) {
   node_or_abort(x, list(inertia_knots = text_form(unclass, inertia_knots)), where, call)
 }
 
-grip_arguments <- function(grip) {
+friction_arguments <- function(friction) {
   list(
-    capacity_n_m = grip$capacity_n_m, static_ratio = grip$static_ratio,
-    from_s = if (grip$from_s != -Inf) grip$from_s, to_s = if (grip$to_s != Inf) grip$to_s
+    capacity_n_m = friction$capacity_n_m, static_ratio = friction$static_ratio,
+    from_s = if (friction$from_s != -Inf) friction$from_s,
+    to_s = if (friction$to_s != Inf) friction$to_s
   )
 }
 
 #' @export
 text_node.rot_brake <- function(x, where, call) {
-  node_or_abort(x, list(brake = text_form(grip_arguments, brake)), where, call)[[1]]
+  node_or_abort(x, list(brake = text_form(friction_arguments, brake)), where, call)[[1]]
 }
 
 #' @export
@@ -176,7 +177,7 @@ text_node.rot_coupling <- function(x, where, call) {
   node_or_abort(x, list(
     coupling_shaft = text_form(unclass, coupling_shaft),
     coupling_clutch = text_form(function(x) {
-      c(grip_arguments(x), list(ratio = x$ratio))
+      c(friction_arguments(x), list(ratio = x$ratio))
     }, coupling_clutch),
     coupling_gear = text_form(function(x) {
       c(list(ratio = x$ratio), list(efficiency = x$efficiency)[loses_power(x)])

@@ -187,7 +187,7 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
       record$run(fit$scene, time_s, accuracy, steps, call, asked)
     }
   }
-  each <- if (is.null(constraint$index)) 1L else constraint$copies(scene)
+  each <- if (is.null(constraint$index)) 1L else constraint$rows_per_time(scene)
   if (event_rows && is.null(constraint$event_rows)) {
     result$event_rows <- run_to_events(result, record, fit$scene, accuracy, max_steps, call, asked)
   }
@@ -203,7 +203,7 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
     info <- widen_error(info, fit$dropped$errors)
   }
   if (info$kind == "none" && n && suspicious(info, record, accuracy, fit$dropped)) {
-    info <- measure_on_the_way(info, fit, time_s, accuracy, max_steps, call)
+    info <- measure_between_rows(info, fit, time_s, accuracy, max_steps, call)
   }
   if (!is.null(constraint$more_columns)) columns <- constraint$more_columns(columns, scene, time_s)
   if (info$kind != "none") {
@@ -300,7 +300,7 @@ suspicious <- function(info, record, accuracy, dropped) {
 
 # The error figure with the largest values at more times, unevenly spaced so that no period of the
 # motion hides them. They are values of the motion, so the figure stays what it says.
-measure_on_the_way <- function(info, fit, time_s, accuracy, max_steps, call) {
+measure_between_rows <- function(info, fit, time_s, accuracy, max_steps, call) {
   from <- min(fit$scene$start_s, time_s[1])
   to <- max(fit$scene$start_s, time_s[length(time_s)])
   between <- sort(from + (to - from) * (seq_len(256) * 0.6180339887498949) %% 1)
@@ -330,10 +330,10 @@ body_effect <- function(fit, time_s, accuracy, max_steps, call) {
     if (base$info$kind != "none" || moved$info$kind != "none") {
       return(list(inertia = max(off[!known]), effect = NA_real_))
     }
-    apart <- vapply(measures, function(measure) {
+    difference <- vapply(measures, function(measure) {
       max(abs(unlist(moved$columns[measure$columns]) - unlist(base$columns[measure$columns])))
     }, double(1))
-    effect <- effect + apart[names(effect)]
+    effect <- effect + difference[names(effect)]
   }
   list(
     inertia = max(off[!known]), effect = .Call(ffi_error_figure, effect, base$info$sizes)
@@ -625,7 +625,7 @@ predict.rot_trajectory <- function(object, time_s, ...) {
   from <- rep(NA_integer_, length(time_s))
   from[sorted] <- seq_along(sorted)
   if (is.null(constraint$index)) return(rows[from, ])
-  each <- constraint$copies(scene)
+  each <- constraint$rows_per_time(scene)
   out <- rows[as.vector(outer(seq_len(each) - each, each * from, `+`)), ]
   out[[constraint$index]] <- rep.int(seq_len(each), length(time_s))
   out

@@ -21,11 +21,11 @@ as_si <- function(x, unit, arg, call) {
   }
   if (!inherits(x, "units")) return(x)
   need_package("units", "An argument with units", call)
-  forged <- function(e) abort_quantity(x, arg, call)
+  invalid <- function(e) abort_quantity(x, arg, call)
   # Without its class the number underneath is one, or the object is no quantity.
-  if (!is.numeric(unclass(x)) || !inherits(attr(x, "units"), "symbolic_units")) forged()
-  given <- tryCatch(units::deparse_unit(x), error = forged)
-  if (!tryCatch(units::ud_are_convertible(units(x), unit), error = forged)) {
+  if (!is.numeric(unclass(x)) || !inherits(attr(x, "units"), "symbolic_units")) invalid()
+  given <- tryCatch(units::deparse_unit(x), error = invalid)
+  if (!tryCatch(units::ud_are_convertible(units(x), unit), error = invalid)) {
     abort_dimension(given, unit, arg, call)
   }
   # The units package takes 1 Hz for 1 rad/s.
@@ -36,7 +36,7 @@ as_si <- function(x, unit, arg, call) {
       i = "Give it in {.val rpm}, or {.code 2 * pi} times it in {.val rad/s}."
     ), "unit", call)
   }
-  tryCatch(as.numeric(units::set_units(x, unit, mode = "standard")), error = forged)
+  tryCatch(as.numeric(units::set_units(x, unit, mode = "standard")), error = invalid)
 }
 
 # An object of class units or difftime that has no number or no unit.

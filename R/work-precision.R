@@ -11,7 +11,7 @@
 #' that value and marked `floor`.
 #'
 #' **The cost** is processor time of whole calls of [trajectory()], without other work of the
-#' machine. A run is repeated until a batch takes `least_batch_s`; the first batch is discarded.
+#' machine. A run is repeated until a batch takes `min_batch_s`; the first batch is discarded.
 #' `rhs_calls` does not depend on the machine.
 #'
 #' @inheritParams trajectory
@@ -27,7 +27,7 @@
 #'   number for each time, and may add `rhs_calls`, `steps` and `error` (relative, its own figure).
 #' @param reference NULL; or a `rot_trajectory` of the same times; or a list with the same columns
 #'   and their relative `error`.
-#' @param least_batch_s Least processor time of a batch in s, at most 3600.
+#' @param min_batch_s Least processor time of a batch in s, at most 3600.
 #' @param batches Batches that count, at most 10000.
 #' @return A `rot_work_precision`, with an `autoplot()`: a tibble with a row for each model or peer
 #'   and accuracy, and the columns `r describe_columns(work_precision_columns)`
@@ -48,9 +48,9 @@
 #' @concept cost of accuracy
 #' @examples
 #' scene <- scene_axle(body_disk(2, 0.25), torque_constant(0.8), resistance(0.03))
-#' work_precision(scene, 0:8, accuracies = c(1e-3, 1e-9), least_batch_s = 0.002)
+#' work_precision(scene, 0:8, accuracies = c(1e-3, 1e-9), min_batch_s = 0.002)
 #' # A right-hand side and a method of one's own, beside Euler, semi-implicit Euler and Runge-Kutta
-#' of # the package, and beside the closed form of the same pendulum.
+#' # of the package, and beside the closed form of the same pendulum.
 #' alpha <- function(time_s, theta_rad, omega_rad_per_s) -9.80665 * sin(theta_rad)
 #' mine <- scene_axle(1, alpha, theta0_rad = 1) # 1 kg m^2: the torque is the acceleration
 #' my_euler <- function(scene, time_s, accuracy, step_s = 0.01) {
@@ -71,11 +71,11 @@
 #' exact <- scene_pendulum(body_point(1), 1, theta0_rad = 1)
 #' work_precision(
 #'   mine, 0:4, accuracies = 1e-9, steps_s = c(0.01, 0.001), peers = list(my_euler = my_euler),
-#'   reference = trajectory(exact, 0:4), least_batch_s = 0.002, batches = 1
+#'   reference = trajectory(exact, 0:4), min_batch_s = 0.002, batches = 1
 #' )
 #' @export
 work_precision <- function(scene, time_s, models = NULL, accuracies = 10^-c(3, 6, 9, 12), ...,
-                           steps_s = NULL, peers = list(), reference = NULL, least_batch_s = 0.02,
+                           steps_s = NULL, peers = list(), reference = NULL, min_batch_s = 0.02,
                            batches = 5) {
   call <- rlang::current_env()
   check_supplied(c("scene", "time_s"), call)
@@ -89,7 +89,7 @@ work_precision <- function(scene, time_s, models = NULL, accuracies = 10^-c(3, 6
     check_number(accuracy, "accuracies", "1", call, lower = 0, upper = 1, open = TRUE)
   }
   check_peers(peers, call)
-  least_batch_s <- check_number(least_batch_s, "least_batch_s", "s", call, lower = 0, upper = 3600)
+  min_batch_s <- check_number(min_batch_s, "min_batch_s", "s", call, lower = 0, upper = 3600)
   batches <- floor(check_number(batches, "batches", "1", call, lower = 1, upper = 1e4))
   check_known_models(models, scene, time_s, call)
   steps_s <- check_steps(steps_s, constraint, models, call)
@@ -110,7 +110,7 @@ work_precision <- function(scene, time_s, models = NULL, accuracies = 10^-c(3, 6
       hear_warnings(
         measure_one(
           one, scene, time_s, constraint, peers, reference_for(references, one, constraint),
-          least_batch_s, batches
+          min_batch_s, batches
         ),
         heard
       ),
@@ -124,7 +124,7 @@ work_precision <- function(scene, time_s, models = NULL, accuracies = 10^-c(3, 6
   }
   cli::cli_progress_done(id = bar)
   tell_warnings(heard, failed, call)
-  new_work_precision(rows, constraint, scene, time_s, least_batch_s, batches)
+  new_work_precision(rows, constraint, scene, time_s, min_batch_s, batches)
 }
 
 check_peers <- function(peers, call) {
@@ -296,7 +296,7 @@ reference_for <- function(references, one, constraint) {
 given_reference <- function(scene, time_s, reference, constraint, call) {
   columns <- measure_columns(constraint)
   if (inherits(reference, "rot_trajectory")) {
-    each <- if (is.null(constraint$index)) 1L else constraint$copies(scene)
+    each <- if (is.null(constraint$index)) 1L else constraint$rows_per_time(scene)
     times <- as.double(reference$time_s)
     if (!is.null(constraint$event_rows)) times <- times[match(time_s, times)]
     if (!identical(times, rep(time_s, each = each))) {
@@ -320,7 +320,7 @@ given_reference <- function(scene, time_s, reference, constraint, call) {
     check_finite(reference[[name]], paste0("reference$", name), "1", call)
   })
   names(values) <- columns
-  rows <- length(time_s) * if (is.null(constraint$index)) 1L else constraint$copies(scene)
+  rows <- length(time_s) * if (is.null(constraint$index)) 1L else constraint$rows_per_time(scene)
   if (any(lengths(values) != rows)) {
     abort_rotdyn("The {.arg reference} must have a row for each time.", "size", call)
   }
@@ -344,13 +344,13 @@ distance_to <- function(columns, truth, name, measure) {
 
 # ---- one contestant -----------------------------------------------------------------------------
 
-measure_one <- function(one, scene, time_s, constraint, peers, truth, least_batch_s, batches) {
+measure_one <- function(one, scene, time_s, constraint, peers, truth, min_batch_s, batches) {
   accuracy <- one$accuracy
   columns <- measure_columns(constraint)
   if (one$peer) {
     f <- peers[[one$model]]
     go <- function() f(scene, time_s, accuracy)
-    rows <- length(time_s) * if (is.null(constraint$index)) 1L else constraint$copies(scene)
+    rows <- length(time_s) * if (is.null(constraint$index)) 1L else constraint$rows_per_time(scene)
     said <- peer_report(try_peer(go, one$model), one$model, columns, rows)
   } else {
     model <- one$model
@@ -373,7 +373,7 @@ measure_one <- function(one, scene, time_s, constraint, peers, truth, least_batc
   floor <- 3 * truth$error
   error <- pmax(raw, floor)
   names(error) <- paste0(names(measures), "_error")
-  cost <- measure_cost(go, least_batch_s, batches)
+  cost <- measure_cost(go, min_batch_s, batches)
   c(
     list(model = one$model, method = method_of(one$model, one$error_kind, one$peer),
          accuracy = accuracy, step_s = said$step_s %||% NA_real_),
@@ -450,7 +450,7 @@ peer_report <- function(value, name, columns, rows) {
 
 # Processor time of one call of go(), a number for each batch. The batch grows until it takes long
 # enough for the clock; the first one of full size is discarded.
-measure_cost <- function(go, least_batch_s, batches) {
+measure_cost <- function(go, min_batch_s, batches) {
   repeats <- 1
   batch <- function() {
     start <- .Call(ffi_clock_cpu)
@@ -458,8 +458,8 @@ measure_cost <- function(go, least_batch_s, batches) {
     .Call(ffi_clock_cpu) - start
   }
   # Where there is no clock the costs are NaN.
-  while (isTRUE((took <- batch()) < least_batch_s)) {
-    grow <- if (took > 0) 1.2 * least_batch_s / took else 10
+  while (isTRUE((took <- batch()) < min_batch_s)) {
+    grow <- if (took > 0) 1.2 * min_batch_s / took else 10
     repeats <- ceiling(repeats * min(10, max(1.5, grow)))
   }
   vapply(seq_len(batches), function(i) batch() / repeats, double(1))
@@ -491,7 +491,7 @@ tell_warnings <- function(heard, failed, call) {
 
 # ---- the class ----------------------------------------------------------------------------------
 
-new_work_precision <- function(rows, constraint, scene, time_s, least_batch_s, batches) {
+new_work_precision <- function(rows, constraint, scene, time_s, min_batch_s, batches) {
   rows <- Filter(Negate(is.null), rows)
   empty <- list(
     model = character(), method = character(), floor = logical(), error_kind = character(),
@@ -513,7 +513,7 @@ new_work_precision <- function(rows, constraint, scene, time_s, least_batch_s, b
       rows = length(time_s),
       torque = if (inherits(scene$torque, "rot_torque_function")) "an R function" else "in C",
       batches = batches,
-      least_batch_s = least_batch_s,
+      min_batch_s = min_batch_s,
       machine = paste0(R.version$platform, ", R ", getRversion())
     )
   )
@@ -537,7 +537,7 @@ tbl_sum.rot_work_precision <- function(x, ...) {
     "Reference" = describe_references(x),
     "Cost" = paste0(
       "processor time of ", format(how$rows, big.mark = ","), " rows, ", how$batches,
-      " batches of ", format(1000 * how$least_batch_s), " ms, torque ", how$torque
+      " batches of ", format(1000 * how$min_batch_s), " ms, torque ", how$torque
     ),
     "Machine" = how$machine
   )

@@ -299,7 +299,7 @@ plausible <- function(name, of) {
     coefficients = one_of(list(1, c(1, 2), diag(2))),
     accuracy = one_of(list(1e-9, 1e-3, 1e-12)),
     accuracies = 10^-c(3, 9), models = NULL, model = NULL,
-    least_batch_s = 0, batches = 1, peers = list(), reference = "none", max_steps = 1e4,
+    min_batch_s = 0, batches = 1, peers = list(), reference = "none", max_steps = 1e4,
     threads = one_of(list(1, 2)), axis = one_of(list("z", "x", c(0, 1, 1))),
     through = one_of(list("centre", "origin", c(0, 0, 1))),
     parameters = data.frame(moment_of_inertia_kg_m2 = few(3L), time_s = 1),

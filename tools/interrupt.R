@@ -189,7 +189,7 @@ long_calls <- list(
   },
   work_precision = function() {
     scene <- scene_axle(1, torque_sinusoid(1, 3) + torque_gravity(1, 1), theta0_rad = 1)
-    function() work_precision(scene, 0:200, least_batch_s = 10)
+    function() work_precision(scene, 0:200, min_batch_s = 10)
   }
 )
 

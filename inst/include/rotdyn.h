@@ -159,9 +159,9 @@ typedef struct rotdyn_report {
   double measure_error[8], measure_largest[8];
   const char *model; /* the one that ran; NULL: none. An integrator may switch to the other. */
   const char *index; /* of several rows for each time: what they count, such as "rotor"; or NULL */
-  size_t copies;     /* rows for each time */
-  const char *input; /* the one that was refused; NULL: none */
-  char reason[512];  /* why it was, or no model or not this one fits; or what the model ignored */
+  size_t rows_per_time; /* rows for each time */
+  const char *input;    /* the one that was refused; NULL: none */
+  char reason[512]; /* why it was, or no model or not this one fits; or what the model ignored */
 } rotdyn_report;
 
 typedef struct rotdyn_candidate {
@@ -202,7 +202,7 @@ typedef struct rotdyn_rows_out {
   size_t size;
   size_t n_columns;
   const char *const *names;
-  double *const *columns; /* n times report.copies values each */
+  double *const *columns; /* n times report.rows_per_time values each */
   double *error;          /* of each row, or NULL: as rotdyn_report.error */
   int *status;            /* of each row, or NULL; its numbers are NaN where it is not ROTDYN_OK */
   const char **model;     /* of each row, or NULL: the one that ran; NULL: none */
@@ -309,9 +309,9 @@ typedef struct rotdyn_model {
  * unset                 back to the default
  * object_check          ROTDYN_EARGUMENT: the report names the input and why it is refused
  * scene_candidate       the k-th cheapest model for these times and this accuracy
- * scene_run             columns by name, of n times report.copies values each: those of the first
+ * scene_run             columns by name, of n report.rows_per_time values each: those of the first
  *                       time, of the second one, ... ; flags are 0, 1, NaN. `room`: values in each
- *                       column, at least so many. object_check() gives `copies`
+ *                       column, at least so many. object_check() gives `rows_per_time`
  * scene_balance         balance k, from 0, between the first and the last time of the run at these
  *                       times: the audit of R; ROTDYN_EEND after the last
  * scene_rows            n scenes that differ in the named numbers, a row each: the columns at the

@@ -2,11 +2,11 @@
 #include "glue/ffi.h"
 #include "maths/attitude.h"
 
-enum { MOST = ROT_FORM_MOST };
+enum { MAX = ROT_FORM_MAX };
 
 /* The columns of a list, recycled; returns how many. */
 static int read_columns(SEXP list, rot_column columns[], R_xlen_t *n) {
-  if (TYPEOF(list) != VECSXP || XLENGTH(list) > MOST) Rf_error("internal: no list of columns");
+  if (TYPEOF(list) != VECSXP || XLENGTH(list) > MAX) Rf_error("internal: no list of columns");
   const int count = (int)XLENGTH(list);
   *n = 1;
   for (int k = 0; k < count; k++) columns[k] = ffi_column(VECTOR_ELT(list, k), "column", n);
@@ -48,7 +48,7 @@ static int any_nan(int n, const double x[]) {
 /* list(qw, qx, qy, qz, off): off is what was corrected. A row with NaN is NA. */
 SEXP ffi_attitude_from(SEXP form, SEXP columns, SEXP sequence) {
   static const char *const names[] = {"qw", "qx", "qy", "qz", "off"};
-  rot_column in[MOST];
+  rot_column in[MAX];
   R_xlen_t n;
   double *out[5];
   const rot_attitude_form of = form_of(form);
@@ -57,7 +57,7 @@ SEXP ffi_attitude_from(SEXP form, SEXP columns, SEXP sequence) {
   check_count(count, rot_attitude_numbers(of));
   SEXP list = ffi_columns(5, names, n, out);
   for (size_t i = 0; i < (size_t)n; i++) {
-    double x[MOST], q[4] = {NA_REAL, NA_REAL, NA_REAL, NA_REAL}, off = NA_REAL;
+    double x[MAX], q[4] = {NA_REAL, NA_REAL, NA_REAL, NA_REAL}, off = NA_REAL;
     for (int k = 0; k < count; k++) x[k] = rot_at(in[k], i);
     if (!any_nan(count, x)) off = rot_attitude_from(of, x, &order, q);
     for (int k = 0; k < 4; k++) out[k][i] = q[k];
@@ -69,9 +69,9 @@ SEXP ffi_attitude_from(SEXP form, SEXP columns, SEXP sequence) {
 
 /* The columns of a form, and a logical one: gimbal lock. Quaternions are of unit length. */
 SEXP ffi_attitude_to(SEXP form, SEXP quaternion, SEXP sequence) {
-  rot_column in[MOST];
+  rot_column in[MAX];
   R_xlen_t n;
-  double *out[MOST];
+  double *out[MAX];
   const rot_attitude_form of = form_of(form);
   const rot_euler order = sequence_of(sequence, of);
   check_count(read_columns(quaternion, in, &n), 4);
@@ -83,7 +83,7 @@ SEXP ffi_attitude_to(SEXP form, SEXP quaternion, SEXP sequence) {
   }
   SET_VECTOR_ELT(list, count, lock = Rf_allocVector(LGLSXP, n));
   for (size_t i = 0; i < (size_t)n; i++) {
-    double q[4], x[MOST];
+    double q[4], x[MAX];
     for (int k = 0; k < 4; k++) q[k] = rot_at(in[k], i);
     const int known = !any_nan(4, q);
     LOGICAL(lock)[i] = known ? rot_attitude_to(of, q, &order, x) : NA_LOGICAL;
@@ -98,16 +98,16 @@ SEXP ffi_attitude_to(SEXP form, SEXP quaternion, SEXP sequence) {
 SEXP ffi_attitude_pair(SEXP which, SEXP columns) {
   static const char *const names[] = {"qw", "qx", "qy", "qz"};
   static const char *const angle[] = {"angle_rad"};
-  rot_column in[MOST];
+  rot_column in[MAX];
   R_xlen_t n;
   double *out[4];
   const int what = (int)ffi_real(which, "which");
   check_count(read_columns(columns, in, &n), what == 2 ? 9 : 8);
   SEXP list = what == 3 ? ffi_columns(1, angle, n, out) : ffi_columns(4, names, n, out);
   for (size_t i = 0; i < (size_t)n; i++) {
-    double x[MOST] = {0.0}, q[4] = {NA_REAL, NA_REAL, NA_REAL, NA_REAL};
+    double x[MAX] = {0.0}, q[4] = {NA_REAL, NA_REAL, NA_REAL, NA_REAL};
     for (int k = 0; k < (what == 2 ? 9 : 8); k++) x[k] = rot_at(in[k], i);
-    if (!any_nan(MOST, x)) {
+    if (!any_nan(MAX, x)) {
       if (what == 1) rot_attitude_times(x, x + 4, q);
       if (what == 2) rot_attitude_slerp(x, x + 4, x[8], q);
       if (what == 3) q[0] = rot_attitude_angle(x, x + 4);
@@ -121,7 +121,7 @@ SEXP ffi_attitude_pair(SEXP which, SEXP columns) {
 /* 4 columns of attitudes, 3 of vectors: these in space, or in the body. */
 SEXP ffi_attitude_turn(SEXP columns, SEXP to_space) {
   static const char *const names[] = {"x", "y", "z"};
-  rot_column in[MOST];
+  rot_column in[MAX];
   R_xlen_t n;
   double *out[3];
   const int space = ffi_real(to_space, "to_space") != 0.0;

@@ -8,7 +8,7 @@
 #include "scene/axle/models.h"
 #include "scene/axle/sweep.h"
 #include "scene/choice.h"
-#include "ground/share.h"
+#include "ground/parallel.h"
 
 /* Rows of a scene by the closed form `id`. `list` has named columns, each of one value or one for
  * each row, that replace the scene's numbers; the viscous coefficient of "axle_linear" includes the
@@ -20,9 +20,9 @@ SEXP ffi_axle_sweep(SEXP id, SEXP list, SEXP rows_in, SEXP threads, SEXP progres
   const rot_axle_model model = known ? rot_axle_form(known) : NULL;
   const rot_axle_built *built = ffi_scene_build(&rot_axle_constraint, list);
   const rot_axle_scene *scene = &built->scene;
-  const double most = ffi_real(threads, "threads");
+  const double max = ffi_real(threads, "threads");
   if (!model) Rf_error("internal: no such model");
-  if (!(most >= 0.0 && most <= 4096.0)) Rf_error("internal: `threads`");
+  if (!(max >= 0.0 && max <= 4096.0)) Rf_error("internal: `threads`");
   R_xlen_t rows = 1, at = 0;
 #define IN(name) ffi_column(ffi_element(rows_in, #name), #name, &rows)
   rot_axle_sweep_rows in = {0,
@@ -48,13 +48,13 @@ SEXP ffi_axle_sweep(SEXP id, SEXP list, SEXP rows_in, SEXP threads, SEXP progres
   ffi_guard_end(
       &guard,
       model == rot_axle_linear_scene
-          ? rot_axle_sweep_linear(&scene->linear.torque, &in, (int)most, &out, &guard.hooks, &info)
+          ? rot_axle_sweep_linear(&scene->linear.torque, &in, (int)max, &out, &guard.hooks, &info)
           : rot_axle_sweep_scenes(model, scene, &in, &friction,
-                                  model == rot_axle_drag || model == rot_axle_bands, (int)most,
-                                  &out, &guard.hooks, &info));
+                                  model == rot_axle_drag || model == rot_axle_bands, (int)max, &out,
+                                  &guard.hooks, &info));
   SET_VECTOR_ELT(result, 2, ffi_info(&info));
   UNPROTECT(1);
   return result;
 }
 
-SEXP ffi_axle_sweep_threads(void) { return Rf_ScalarInteger(rot_share_threads()); }
+SEXP ffi_axle_sweep_threads(void) { return Rf_ScalarInteger(rot_parallel_threads()); }

@@ -123,7 +123,7 @@ SEXP ffi_choice_table(SEXP constraint, SEXP scene, SEXP time_s, SEXP accuracy, S
                                       "cost_s", "reason",  "dropped", ""};
   static const SEXPTYPE types[] = {STRSXP, LGLSXP, REALSXP, STRSXP, REALSXP, STRSXP, VECSXP};
   question q;
-  rot_candidate all[ROT_MOST_MODELS];
+  rot_candidate all[ROT_MAX_MODELS];
   read_question(constraint, scene, time_s, accuracy, law_s, &q);
   const size_t n = rot_choice_candidates(q.constraint, q.scene, &q.query, all);
   SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names)), c[7];
@@ -147,7 +147,7 @@ SEXP ffi_choice_pick(SEXP constraint, SEXP scene, SEXP time_s, SEXP accuracy, SE
                      SEXP model) {
   static const char *const names[] = {"model", "dropped", "applies", "reason", ""};
   question q;
-  rot_candidate picked[ROT_MOST_MODELS];
+  rot_candidate picked[ROT_MAX_MODELS];
   size_t n = 1;
   read_question(constraint, scene, time_s, accuracy, law_s, &q);
   if (Rf_isNull(model)) {

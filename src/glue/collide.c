@@ -77,7 +77,7 @@ static int body_of(party *p, R_xlen_t i, rot_collide_body *body) {
   return known;
 }
 
-enum { MOST_COLUMNS = 20 };
+enum { MAX_COLUMNS = 20 };
 
 /* Of n collisions: the two bodies (NULL: a fixed obstacle), normals, coefficients, the law. */
 SEXP ffi_collide(SEXP first, SEXP second, SEXP contact, SEXP rows) {
@@ -89,7 +89,7 @@ SEXP ffi_collide(SEXP first, SEXP second, SEXP contact, SEXP rows) {
                                     "omega_y_2_rad_per_s", "omega_z_2_rad_per_s"};
   static const char *const rest[] = {
       "impulse_x_n_s",        "impulse_y_n_s", "impulse_z_n_s",   "normal_impulse_n_s",
-      "friction_impulse_n_s", "normal_loss_j", "friction_loss_j", "grips"};
+      "friction_impulse_n_s", "normal_loss_j", "friction_loss_j", "sticks"};
   const int bodies = Rf_isNull(second) ? 1 : 2;
   const R_xlen_t n = (R_xlen_t)ffi_real(rows, "rows");
   const int law = (int)ffi_number_of(contact, "law");
@@ -99,8 +99,8 @@ SEXP ffi_collide(SEXP first, SEXP second, SEXP contact, SEXP rows) {
   const block normal = block_of(contact, "normal", 3, n);
   const block restitution = block_of(contact, "restitution", 1, n);
   const block friction = block_of(contact, "friction", 1, n);
-  const char *names[MOST_COLUMNS];
-  double *c[MOST_COLUMNS];
+  const char *names[MAX_COLUMNS];
+  double *c[MAX_COLUMNS];
   int columns = 0;
   for (int k = 0; k < 6; k++) names[columns++] = one[k];
   for (int k = 0; k < 6 && bodies == 2; k++) names[columns++] = two[k];
@@ -136,7 +136,7 @@ SEXP ffi_collide(SEXP first, SEXP second, SEXP contact, SEXP rows) {
     c[k++][i] = end.friction_impulse;
     c[k++][i] = end.normal_loss;
     c[k++][i] = end.friction_loss;
-    c[k][i] = end.grips;
+    c[k][i] = end.sticks;
   }
   SEXP result = PROTECT(Rf_allocVector(VECSXP, 2));
   SET_VECTOR_ELT(result, 0, out);

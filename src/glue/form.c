@@ -7,8 +7,8 @@
 #include "glue/law.h"
 
 /* Whether an object has the parts that its class promises, by a form (R/form.R lists its words). A
- * forged object, an edited one or one of another version is an error of the caller, which R reports
- * at the door of a verb; behind it nothing is checked again. */
+ * invalid object, an edited one or one of another version is an error of the caller, which R
+ * reports at the door of a verb; behind it nothing is checked again. */
 
 typedef struct fault {
   char path[120]; /* of the part that does not fit; "" for the object itself */

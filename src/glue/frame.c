@@ -3,7 +3,7 @@
 
 #include "glue/run.h"
 
-enum { MOST_COLUMNS = 12 };
+enum { MAX_COLUMNS = 12 };
 
 /* Columns: time, latitude, velocity east, north, up, gravity, rate of rotation. */
 SEXP ffi_frame_projectile(SEXP list) {
@@ -112,15 +112,15 @@ SEXP ffi_frame_carry(SEXP list, SEXP axis, SEXP enters) {
                                       "euler_x_m_per_s2",
                                       "euler_y_m_per_s2",
                                       "euler_z_m_per_s2"};
-  rot_column in[MOST_COLUMNS];
-  double *column[18], x[MOST_COLUMNS];
-  const R_xlen_t n = ffi_columns_of(list, MOST_COLUMNS, in);
+  rot_column in[MAX_COLUMNS];
+  double *column[18], x[MAX_COLUMNS];
+  const R_xlen_t n = ffi_columns_of(list, MAX_COLUMNS, in);
   const double *unit = ffi_reals(axis, "axis", 3);
   const int enter = Rf_asLogical(enters) == TRUE;
   SEXP out = ffi_columns(18, names, n, column);
   for (R_xlen_t i = 0; i < n; i++) {
     double y[18];
-    (void)ffi_row_of(in, MOST_COLUMNS, i, x);
+    (void)ffi_row_of(in, MAX_COLUMNS, i, x);
     const rot_frame frame = {{unit[0], unit[1], unit[2]}, x[9], x[10], x[11]};
     if (enter) {
       rot_frame_enter(&frame, x, x + 3, x + 6, y, y + 3, y + 6);

@@ -5,8 +5,8 @@
 /* `list` has named columns, each of one value or one for each row. */
 SEXP ffi_free_table(SEXP list, SEXP threads, SEXP progress) {
   static const char *const names[] = {ROT_FREE_TABLE_COLUMNS(FFI_COLUMN_NAME) ""};
-  const double most = ffi_real(threads, "threads");
-  if (!(most >= 0.0 && most <= 4096.0)) Rf_error("internal: `threads`");
+  const double max = ffi_real(threads, "threads");
+  if (!(max >= 0.0 && max <= 4096.0)) Rf_error("internal: `threads`");
   R_xlen_t rows = 1, at = 0;
 #define IN(name) ffi_column(ffi_element(list, #name), #name, &rows)
   rot_free_table_rows in = {0,
@@ -22,7 +22,7 @@ SEXP ffi_free_table(SEXP list, SEXP threads, SEXP progress) {
   rot_info info;
   ffi_guard guard;
   ffi_guard_begin(&guard, progress);
-  ffi_guard_end(&guard, rot_free_table(&in, (int)most, &out, &guard.hooks, &info));
+  ffi_guard_end(&guard, rot_free_table(&in, (int)max, &out, &guard.hooks, &info));
   UNPROTECT(1);
   return columns;
 }

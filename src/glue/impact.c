@@ -3,15 +3,15 @@
 
 #include "glue/run.h"
 
-enum { MOST_COLUMNS = 9 };
+enum { MAX_COLUMNS = 9 };
 
 /* Columns: mass, radius, beta, vx, vy, omega, restitution, friction, tangential. */
 SEXP ffi_impact_bounce(SEXP list) {
   static const char *const names[] = {
       "vx_m_per_s",           "vy_m_per_s",    "omega_rad_per_s", "normal_impulse_n_s",
-      "friction_impulse_n_s", "normal_loss_j", "friction_loss_j", "grips"};
-  rot_column in[MOST_COLUMNS];
-  double *c[8], x[MOST_COLUMNS];
+      "friction_impulse_n_s", "normal_loss_j", "friction_loss_j", "sticks"};
+  rot_column in[MAX_COLUMNS];
+  double *c[8], x[MAX_COLUMNS];
   const R_xlen_t n = ffi_columns_of(list, 9, in);
   SEXP out = ffi_columns(8, names, n, c);
   for (size_t i = 0; i < (size_t)n; i++) {
@@ -26,7 +26,7 @@ SEXP ffi_impact_bounce(SEXP list) {
     c[4][i] = row.friction_impulse;
     c[5][i] = row.normal_loss;
     c[6][i] = row.friction_loss;
-    c[7][i] = known ? row.grips : NA_REAL;
+    c[7][i] = known ? row.sticks : NA_REAL;
   }
   UNPROTECT(1);
   return out;
@@ -36,8 +36,8 @@ SEXP ffi_impact_bounce(SEXP list) {
 SEXP ffi_impact_hinged(SEXP list) {
   static const char *const names[] = {"omega_rad_per_s", "particle_v_m_per_s", "impulse_n_s",
                                       "hinge_impulse_n_s", "normal_loss_j"};
-  rot_column in[MOST_COLUMNS];
-  double *c[5], x[MOST_COLUMNS];
+  rot_column in[MAX_COLUMNS];
+  double *c[5], x[MAX_COLUMNS];
   const R_xlen_t n = ffi_columns_of(list, 8, in);
   SEXP out = ffi_columns(5, names, n, c);
   for (size_t i = 0; i < (size_t)n; i++) {
@@ -59,8 +59,8 @@ SEXP ffi_impact_hinged(SEXP list) {
 SEXP ffi_impact_rims(SEXP list) {
   static const char *const names[] = {"omega_1_rad_per_s", "omega_2_rad_per_s", "impulse_n_s",
                                       "friction_loss_j", "locked"};
-  rot_column in[MOST_COLUMNS];
-  double *c[5], x[MOST_COLUMNS];
+  rot_column in[MAX_COLUMNS];
+  double *c[5], x[MAX_COLUMNS];
   const R_xlen_t n = ffi_columns_of(list, 8, in);
   SEXP out = ffi_columns(5, names, n, c);
   for (size_t i = 0; i < (size_t)n; i++) {

@@ -8,8 +8,8 @@
 SEXP ffi_incline_table(SEXP rows_in, SEXP threads, SEXP progress) {
   static const char *const names[] = {ROT_INCLINE_TABLE_COLUMNS(FFI_COLUMN_NAME) ""};
   static const char *const parts[] = {"columns", "bad", "info", ""};
-  const double most = ffi_real(threads, "threads");
-  if (!(most >= 0.0 && most <= 4096.0)) Rf_error("internal: `threads`");
+  const double max = ffi_real(threads, "threads");
+  if (!(max >= 0.0 && max <= 4096.0)) Rf_error("internal: `threads`");
   R_xlen_t rows = 1, at = 0;
 #define IN(name) ffi_column(ffi_element(rows_in, #name), #name, &rows)
   rot_incline_rows in = {0,
@@ -35,7 +35,7 @@ SEXP ffi_incline_table(SEXP rows_in, SEXP threads, SEXP progress) {
   rot_info info;
   ffi_guard guard;
   ffi_guard_begin(&guard, progress);
-  ffi_guard_end(&guard, rot_incline_table(&in, (int)most, &out, &guard.hooks, &info));
+  ffi_guard_end(&guard, rot_incline_table(&in, (int)max, &out, &guard.hooks, &info));
   R_xlen_t n_bad = 0;
   for (R_xlen_t i = 0; i < rows; i++) n_bad += out.status[i] != ROT_OK;
   SET_VECTOR_ELT(result, 1, bad = Rf_allocVector(INTSXP, n_bad));

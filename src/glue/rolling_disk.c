@@ -27,7 +27,7 @@ SEXP ffi_rolling_disk(SEXP numbers, SEXP time_s, SEXP progress) {
 }
 
 /* The least stable angular velocity: columns of radius, moments and gravity. */
-SEXP ffi_rolling_disk_least(SEXP radius, SEXP axial, SEXP transverse, SEXP gravity) {
+SEXP ffi_rolling_disk_min(SEXP radius, SEXP axial, SEXP transverse, SEXP gravity) {
   R_xlen_t n = 1;
   const rot_column r = ffi_column(radius, "radius_m", &n), a = ffi_column(axial, "axial", &n);
   const rot_column b = ffi_column(transverse, "transverse", &n);
@@ -38,7 +38,7 @@ SEXP ffi_rolling_disk_least(SEXP radius, SEXP axial, SEXP transverse, SEXP gravi
                                 .axial = rot_at(a, i),
                                 .transverse = rot_at(b, i),
                                 .gravity_m_per_s2 = rot_at(g, i)};
-    REAL(out)[i] = rot_rolling_disk_least(&p);
+    REAL(out)[i] = rot_rolling_disk_min(&p);
   }
   UNPROTECT(1);
   return out;

@@ -34,7 +34,7 @@ SEXP ffi_info(const rot_info *info) {
   const double numbers[] = {info->time_s,           (double)info->rows_done, (double)info->steps,
                             (double)info->rejected, (double)info->rhs_calls, rot_info_error(info),
                             info->tolerance};
-  double errors[ROT_MOST_MEASURES], sizes[ROT_MOST_MEASURES];
+  double errors[ROT_MAX_MEASURES], sizes[ROT_MAX_MEASURES];
   for (size_t i = 0; i < n; i++) {
     errors[i] = info->measure[i].error;
     sizes[i] = info->measure[i].largest;

@@ -97,7 +97,7 @@ const void *ffi_scene_build(const rot_constraint *constraint, SEXP scene) {
 static const double *derived(const rot_constraint *c, const rot_derived *of, const void *built,
                              R_xlen_t *n) {
   const char *at = (const char *)built + of->offset;
-  *n = (R_xlen_t)(of->n ? of->n : rot_run_copies(c, built));
+  *n = (R_xlen_t)(of->n ? of->n : rot_run_rows_per_time(c, built));
   return of->n ? (const double *)at : *(const double *const *)at;
 }
 
@@ -155,7 +155,7 @@ static int is_missing(SEXP name, SEXP env) {
 
 /* An empty scene: its inputs, then what follows from them. */
 static SEXP new_scene(const rot_constraint *c, const rot_maker *maker) {
-  const char *names[2 * ROT_MOST_INPUTS + 1], *classes[3];
+  const char *names[2 * ROT_MAX_INPUTS + 1], *classes[3];
   char own[64], shared[64];
   size_t n = 0, of = 0;
   while (n < maker->n_inputs) {
@@ -297,7 +297,7 @@ static SEXP makers_of(const rot_constraint *c) {
   Rf_setAttrib(out, R_NamesSymbol, of);
   for (size_t i = 0; i < c->n_makers; i++) {
     const rot_maker *maker = &c->makers[i];
-    const char *follows[ROT_MOST_INPUTS];
+    const char *follows[ROT_MAX_INPUTS];
     SEXP one = Rf_mkNamed(VECSXP, (const char **)names), counts;
     SET_VECTOR_ELT(out, (R_xlen_t)i, one);
     SET_STRING_ELT(of, (R_xlen_t)i, Rf_mkChar(maker->constructor));
@@ -328,8 +328,8 @@ SEXP ffi_scene_table(SEXP id) {
                                       "index",  "flows",   "balances", "kept",  "event_rows",
                                       "always", "between", ""};
   const rot_constraint *c = ffi_constraint(id);
-  const char *name[ROT_MOST_COLUMNS], *unit[ROT_MOST_COLUMNS], *state[ROT_MOST_COLUMNS];
-  const char *quantity[ROT_MOST_BALANCES];
+  const char *name[ROT_MAX_COLUMNS], *unit[ROT_MAX_COLUMNS], *state[ROT_MAX_COLUMNS];
+  const char *quantity[ROT_MAX_BALANCES];
   size_t n_measures = 0;
   while (c->measures[n_measures]) n_measures++;
   for (size_t i = 0; i < c->n_columns; i++) {
@@ -361,7 +361,7 @@ SEXP ffi_scene_table(SEXP id) {
 /* The columns that the rows of a scene have. */
 typedef struct shown {
   const rot_constraint *of;
-  unsigned char is[ROT_MOST_COLUMNS];
+  unsigned char is[ROT_MAX_COLUMNS];
 } shown;
 
 static shown shown_by(const rot_constraint *c, const void *built) {
@@ -382,9 +382,9 @@ SEXP ffi_scene_shows(SEXP id, SEXP scene) {
   return out;
 }
 
-SEXP ffi_scene_copies(SEXP id, SEXP scene) {
+SEXP ffi_scene_rows_per_time(SEXP id, SEXP scene) {
   const rot_constraint *c = ffi_constraint(id);
-  return Rf_ScalarInteger((int)rot_run_copies(c, ffi_scene_build(c, scene)));
+  return Rf_ScalarInteger((int)rot_run_rows_per_time(c, ffi_scene_build(c, scene)));
 }
 
 /* ---- runs ------------------------------------------------------------------------------------ */
@@ -392,7 +392,7 @@ SEXP ffi_scene_copies(SEXP id, SEXP scene) {
 /* Time, index, and the columns of the constraint that are shown. */
 static SEXP named_columns(const shown *s) {
   const rot_constraint *c = s->of;
-  const char *names[ROT_MOST_COLUMNS + 3] = {"time_s"};
+  const char *names[ROT_MAX_COLUMNS + 3] = {"time_s"};
   size_t at = 1;
   if (c->index) names[at++] = c->index;
   for (size_t i = 0; i < c->n_columns; i++) {
@@ -402,10 +402,10 @@ static SEXP named_columns(const shown *s) {
   return Rf_mkNamed(VECSXP, names);
 }
 
-static void new_columns(const ffi_run *run, const shown *s, SEXP time_s, size_t copies,
+static void new_columns(const ffi_run *run, const shown *s, SEXP time_s, size_t rows_per_time,
                         void *column[]) {
   const rot_constraint *c = s->of;
-  const R_xlen_t n = XLENGTH(time_s), rows = n * (R_xlen_t)copies;
+  const R_xlen_t n = XLENGTH(time_s), rows = n * (R_xlen_t)rows_per_time;
   SEXP list = named_columns(s);
   SET_VECTOR_ELT(run->out, FFI_COLUMNS, list);
   size_t at = 0;
@@ -416,8 +416,8 @@ static void new_columns(const ffi_run *run, const shown *s, SEXP time_s, size_t 
     SEXP index = Rf_allocVector(INTSXP, rows);
     SET_VECTOR_ELT(list, (R_xlen_t)at++, index);
     for (R_xlen_t i = 0; i < rows; i++) {
-      time[i] = REAL_RO(time_s)[i / (R_xlen_t)copies];
-      INTEGER(index)[i] = (int)(i % (R_xlen_t)copies) + 1;
+      time[i] = REAL_RO(time_s)[i / (R_xlen_t)rows_per_time];
+      INTEGER(index)[i] = (int)(i % (R_xlen_t)rows_per_time) + 1;
     }
   }
   for (size_t i = 0; i < c->n_columns; i++) {
@@ -431,15 +431,16 @@ static void new_columns(const ffi_run *run, const shown *s, SEXP time_s, size_t 
 
 /* What means nothing is NA in R: flags below 0, and NaN in the last of several copies, which has no
  * neighbour. */
-static void mark_missing(const shown *s, R_xlen_t n, R_xlen_t copies, void *const column[]) {
+static void mark_missing(const shown *s, R_xlen_t n, R_xlen_t rows_per_time, void *const column[]) {
   const rot_constraint *c = s->of;
   for (size_t k = 0; k < c->n_columns; k++) {
     if (!s->is[k]) continue;
-    for (R_xlen_t i = 0; c->columns[k].flag && i < n * copies; i++) {
+    for (R_xlen_t i = 0; c->columns[k].flag && i < n * rows_per_time; i++) {
       int *flag = column[k];
       if (flag[i] < 0) flag[i] = NA_LOGICAL;
     }
-    for (R_xlen_t i = copies; c->index && !c->columns[k].flag && i <= n * copies; i += copies) {
+    for (R_xlen_t i = rows_per_time; c->index && !c->columns[k].flag && i <= n * rows_per_time;
+         i += rows_per_time) {
       double *x = column[k];
       if (ISNAN(x[i - 1])) x[i - 1] = NA_REAL;
     }
@@ -489,7 +490,7 @@ static SEXP take_event_rows(void *data) {
   const R_xlen_t n = (R_xlen_t)from->rows.count;
   const size_t width = 1 + from->rows.width;
   const double *value = from->rows.value;
-  double *flow[ROT_MOST_FLOWS];
+  double *flow[ROT_MAX_FLOWS];
   SEXP both = Rf_mkNamed(VECSXP, (const char **)names);
   SET_VECTOR_ELT(from->to, FFI_EVENT_ROWS, both);
   SEXP list = named_columns(from->shown);
@@ -527,19 +528,19 @@ SEXP ffi_scene_run(SEXP id, SEXP scene, SEXP model, SEXP time_s, SEXP control, S
   const rot_model *of = rot_choice_model(c, ffi_text(model, "model"));
   const double *t = ffi_reals(time_s, "time_s", -1), *x = ffi_reals(control, "control", CONTROLS);
   const R_xlen_t n = XLENGTH(time_s);
-  void *column[ROT_MOST_COLUMNS];
-  double *flow[ROT_MOST_FLOWS], errors[ROT_MOST_FLOWS] = {0.0};
+  void *column[ROT_MAX_COLUMNS];
+  double *flow[ROT_MAX_FLOWS], errors[ROT_MAX_FLOWS] = {0.0};
   rot_outcome outcome;
   ffi_run run;
   if (!of) Rf_error("internal: no such model");
   memset(&outcome, 0, sizeof outcome);
-  const ffi_laws called = {laws, &run.guard, PROTECT(Rf_allocVector(VECSXP, ROT_MOST_INPUTS))};
+  const ffi_laws called = {laws, &run.guard, PROTECT(Rf_allocVector(VECSXP, ROT_MAX_INPUTS))};
   const void *built = build_scene(c, scene, &called);
   const shown shows = shown_by(c, built);
   const int steps = of->error_kind == ROT_ADAPTIVE || of->use == ROT_BY_NAME;
   const int flows = x[FLOWS] != 0.0 || steps;
   ffi_run_begin(&run, progress);
-  new_columns(&run, &shows, time_s, rot_run_copies(c, built), column);
+  new_columns(&run, &shows, time_s, rot_run_rows_per_time(c, built), column);
   if (flows) SET_VECTOR_ELT(run.out, FFI_LEDGER, new_ledger(c, n, t, flow));
   event_rows at_events = {
       &shows, {c->n_columns + c->n_flows, 0, 0, NULL}, run.out, flows ? errors : NULL};
@@ -557,7 +558,7 @@ SEXP ffi_scene_run(SEXP id, SEXP scene, SEXP model, SEXP time_s, SEXP control, S
                          .without = left_out(c, scene),
                          .flows_of_whole = x[FLOWS] > 1.0};
   rot_run_model(c, built, of, &task, &want, &outcome, &run.guard.hooks);
-  mark_missing(&shows, n, (R_xlen_t)rot_run_copies(c, built), column);
+  mark_missing(&shows, n, (R_xlen_t)rot_run_rows_per_time(c, built), column);
   if (flows) fill_errors(c, n, flow, errors);
   rot_status status = outcome.info.status;
   if (status == ROT_OK && at_events.rows.count) {
@@ -622,11 +623,11 @@ SEXP ffi_scene_quick(SEXP id, SEXP form, SEXP scene, SEXP time_s, SEXP accuracy)
                          .accuracy = ffi_real(accuracy, "accuracy"),
                          .max_steps = 1000000};
   const rot_query query = {task.n, task.time_s, task.accuracy, 0.0};
-  rot_candidate picked[ROT_MOST_MODELS];
+  rot_candidate picked[ROT_MAX_MODELS];
   if (!rot_choice_pick(c, built, &query, picked) || picked[0].dropped) return R_NilValue;
   const rot_model *model = picked[0].model;
   if (model->error_kind != ROT_BOUND || model->use != ROT_FREELY) return R_NilValue;
-  void *column[ROT_MOST_COLUMNS] = {NULL};
+  void *column[ROT_MAX_COLUMNS] = {NULL};
   ffi_run run;
   ffi_run_begin(&run, R_NilValue);
   const shown shows = shown_by(c, built);
@@ -667,7 +668,7 @@ SEXP ffi_scene_audit(SEXP id, SEXP scene, SEXP time_s, SEXP first, SEXP last, SE
   static const char *const names[] = {"value", "explained", "balance", "role", "words", ""};
   const rot_constraint *c = ffi_constraint(id);
   const void *built = ffi_scene_build(c, scene);
-  const R_xlen_t cells = (R_xlen_t)(c->n_columns * rot_run_copies(c, built));
+  const R_xlen_t cells = (R_xlen_t)(c->n_columns * rot_run_rows_per_time(c, built));
   const R_xlen_t flows = (R_xlen_t)c->n_flows, terms = (R_xlen_t)c->n_terms;
   const double *t = ffi_reals(time_s, "time_s", 2);
   const rot_span span = {{t[0], t[1]},
@@ -676,8 +677,8 @@ SEXP ffi_scene_audit(SEXP id, SEXP scene, SEXP time_s, SEXP first, SEXP last, SE
                          ffi_reals(flow, "flow", flows),
                          ffi_reals(flow_error, "flow_error", flows),
                          ffi_reals(error, "error", -1)};
-  double term[ROT_MOST_TERMS], explained[ROT_MOST_BALANCES];
-  const char *words[ROT_MOST_TERMS];
+  double term[ROT_MAX_TERMS], explained[ROT_MAX_BALANCES];
+  const char *words[ROT_MAX_TERMS];
   if (rot_run_audit(c, built, &span, term, explained) != ROT_OK) Rf_error("out of memory");
   SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names)), balance, role;
   SET_VECTOR_ELT(out, 0, ffi_numbers((int)terms, term));
@@ -696,20 +697,20 @@ SEXP ffi_scene_audit(SEXP id, SEXP scene, SEXP time_s, SEXP first, SEXP last, SE
 
 /* list(conserved, why, about, unit), by balance and what else is known; a balance of which nothing
  * is known is not conserved. */
-SEXP ffi_scene_keeps(SEXP id, SEXP scene) {
+SEXP ffi_scene_conserved(SEXP id, SEXP scene) {
   static const char *const names[] = {"conserved", "why", "about", "unit", ""};
   const rot_constraint *c = ffi_constraint(id);
   const void *built = ffi_scene_build(c, scene);
   const size_t n = named_by(c);
-  const char *about[ROT_MOST_BALANCES], *unit[ROT_MOST_BALANCES];
+  const char *about[ROT_MAX_BALANCES], *unit[ROT_MAX_BALANCES];
   SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names)), kept, reason;
   SET_VECTOR_ELT(out, 0, kept = Rf_allocVector(LGLSXP, (R_xlen_t)n));
   SET_VECTOR_ELT(out, 1, reason = Rf_allocVector(STRSXP, (R_xlen_t)n));
   for (size_t i = 0; i < n; i++) {
-    const char *why[ROT_MOST_CAUSES];
+    const char *why[ROT_MAX_CAUSES];
     size_t causes = 1;
     why[0] = "";
-    if (i < kept_by(c)) causes = c->keeps(built, i, why);
+    if (i < kept_by(c)) causes = c->conserved(built, i, why);
     char text[512];
     int used = snprintf(text, sizeof text, "%s", why[0]);
     for (size_t k = 1; k < causes; k++) {
@@ -727,20 +728,20 @@ SEXP ffi_scene_keeps(SEXP id, SEXP scene) {
 }
 
 /* list(breaks_s, fades_s, swing_rad_per_s) */
-SEXP ffi_scene_pace(SEXP id, SEXP scene, SEXP sizes) {
+SEXP ffi_scene_time_scales(SEXP id, SEXP scene, SEXP sizes) {
   static const char *const names[] = {"breaks_s", "fades_s", "swing_rad_per_s", ""};
   const rot_constraint *c = ffi_constraint(id);
   const void *built = ffi_scene_build(c, scene);
   const double *breaks_s = NULL;
   size_t n = 0;
-  rot_pace pace;
-  c->pace(built, ffi_reals(sizes, "sizes", -1), &pace);
+  rot_time_scales time_scales;
+  c->time_scales(built, ffi_reals(sizes, "sizes", -1), &time_scales);
   if (c->breaks) breaks_s = c->breaks(built, &n);
   SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
   double *to = ffi_new_double(out, 0, (R_xlen_t)n);
   if (n) memcpy(to, breaks_s, n * sizeof *to);
-  SET_VECTOR_ELT(out, 1, Rf_ScalarReal(pace.fades_s));
-  SET_VECTOR_ELT(out, 2, Rf_ScalarReal(pace.swing_rad_per_s));
+  SET_VECTOR_ELT(out, 1, Rf_ScalarReal(time_scales.fades_s));
+  SET_VECTOR_ELT(out, 2, Rf_ScalarReal(time_scales.swing_rad_per_s));
   UNPROTECT(1);
   return out;
 }

@@ -77,7 +77,7 @@ static rot_smooth_fit read_fit(SEXP x) {
     fit.samples = (size_t)v[6];
     fit.fresh = (size_t)v[7];
   }
-  if (!(v[0] >= ROT_SMOOTH_LEAST && v[0] <= ROT_SMOOTH_MOST)) Rf_error("internal: `order`");
+  if (!(v[0] >= ROT_SMOOTH_MIN && v[0] <= ROT_SMOOTH_MAX)) Rf_error("internal: `order`");
   return fit;
 }
 
@@ -94,11 +94,11 @@ SEXP ffi_smooth_fit(SEXP list, SEXP breaks, SEXP options, SEXP progress) {
   static const char *const names[] = {"fit", "time_s", "segment", "first", "left_out", ""};
   const double *v = ffi_reals(options, "options", 4);
   const rot_smooth_finding how = {v[2] > 0.0, v[3] > 0.0, (int)v[0], (int)v[1], (size_t)v[2]};
-  if (!(v[0] >= ROT_SMOOTH_LEAST && v[1] <= ROT_SMOOTH_MOST)) Rf_error("internal: `order`");
+  if (!(v[0] >= ROT_SMOOTH_MIN && v[1] <= ROT_SMOOTH_MAX)) Rf_error("internal: `order`");
   rot_smooth_record record = read_record(list);
   rot_smooth_fit fit;
   size_t n_breaks;
-  rot_smooth_break *found = read_breaks(breaks, how.most_breaks, &n_breaks);
+  rot_smooth_break *found = read_breaks(breaks, how.max_breaks, &n_breaks);
   ffi_guard guard;
   ffi_guard_begin(&guard, progress);
   const rot_status status = rot_smooth_find(&record, &how, found, &n_breaks, &guard.hooks, &fit);
@@ -150,7 +150,7 @@ SEXP ffi_smooth_refine(SEXP list, SEXP breaks, SEXP fit, SEXP last_order, SEXP p
   size_t n_breaks;
   const rot_smooth_break *known = read_breaks(breaks, 0, &n_breaks);
   ffi_guard guard;
-  if (!(last[0] >= ROT_SMOOTH_LEAST && last[0] <= ROT_SMOOTH_MOST)) Rf_error("internal: `order`");
+  if (!(last[0] >= ROT_SMOOTH_MIN && last[0] <= ROT_SMOOTH_MAX)) Rf_error("internal: `order`");
   ffi_guard_begin(&guard, progress);
   const rot_status status =
       rot_smooth_refine(&record, n_breaks, known, (int)last[0], &guard.hooks, &refined);
@@ -216,8 +216,8 @@ SEXP ffi_smooth_rows(SEXP list, SEXP breaks, SEXP fit, SEXP times) {
   SET_VECTOR_ELT(out, 4, Rf_allocVector(REALSXP, n));
   double used = 0.0;
   /* Nothing that may jump is called once the core has memory. */
-  const size_t most = (size_t)(n + m + 2 * XLENGTH(ffi_element(breaks, "time_s")));
-  double *mean = (double *)R_alloc(most * (ROT_SMOOTH_MOST + 7 + CHANNELS) + 1, sizeof *mean);
+  const size_t max = (size_t)(n + m + 2 * XLENGTH(ffi_element(breaks, "time_s")));
+  double *mean = (double *)R_alloc(max * (ROT_SMOOTH_MAX + 7 + CHANNELS) + 1, sizeof *mean);
   rot_status status = smoothed_new(list, breaks, fit, times, &of);
   if (status == ROT_OK) {
     const size_t nodes = of.grid.nodes.n, p = (size_t)of.fit.model.order;
@@ -310,7 +310,7 @@ SEXP ffi_smooth_draws(SEXP list, SEXP breaks, SEXP fit, SEXP times, SEXP options
   if (!(v[0] >= 1.0 && v[0] < 1e7 && v[1] >= 0.0)) Rf_error("internal: `options`");
   const size_t draws = (size_t)v[0], m = (size_t)XLENGTH(ffi_element(times, "time_s"));
   SEXP out = PROTECT(Rf_allocVector(REALSXP, (R_xlen_t)(draws * m)));
-  double *x = (double *)R_alloc(draws * m * ROT_SMOOTH_MOST + 1, sizeof *x);
+  double *x = (double *)R_alloc(draws * m * ROT_SMOOTH_MAX + 1, sizeof *x);
   ffi_guard guard;
   ffi_guard_begin(&guard, R_NilValue);
   rot_status status = smoothed_new(list, breaks, fit, times, &of);

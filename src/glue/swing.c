@@ -32,11 +32,11 @@ SEXP ffi_swing_rows(SEXP parameters, SEXP kind, SEXP start, SEXP times) {
   return ffi_vectors(3, names, parts);
 }
 
-SEXP ffi_swing_extremes(SEXP parameters, SEXP kind, SEXP span, SEXP most) {
+SEXP ffi_swing_extremes(SEXP parameters, SEXP kind, SEXP span, SEXP max) {
   static const char *const names[] = {"time_s", "value", "derivative", "status", ""};
   const rot_swing swing = read_swing(parameters, kind);
   const double *ends = ffi_reals(span, "span", 2);
-  const size_t room = (size_t)ffi_real(most, "most");
+  const size_t room = (size_t)ffi_real(max, "most");
   double *x = (double *)R_alloc(room * (2 + P) + 1, sizeof *x);
   size_t n = 0;
   ffi_guard guard;

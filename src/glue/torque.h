@@ -12,7 +12,7 @@ typedef struct ffi_torque {
   SEXP call;     /* f(time_s), or f(time_s, ...) with all arguments */
   SEXP env;      /* where f is */
   SEXP complain; /* complain(value, time_s): raises the error about what f returned */
-  size_t n_arguments, size[ROT_MOST_LAW_ARGUMENTS], n_values;
+  size_t n_arguments, size[ROT_MAX_LAW_ARGUMENTS], n_values;
   double x[FFI_LAW_NUMBERS], value[FFI_LAW_VALUES];
 } ffi_torque;
 

@@ -7,10 +7,10 @@
 #include "ground/real.h"
 #include "rot_test.h"
 
-enum { MOST_ROWS = 4096 };
+enum { MAX_ROWS = 4096 };
 
 typedef struct run {
-  double column[7][MOST_ROWS];
+  double column[7][MAX_ROWS];
   double *theta, *omega, *applied, *damping, *net, *energy;
   rot_events events;
   rot_info info;
@@ -259,7 +259,7 @@ static inline void check_splits(rot_axle_model model, int which) {
  * events (and between the times in `more`, where the law kinks). The net torque of the rows counts
  * every resistance, so a sign or a factor that is wrong in either shows. */
 static inline void check_energy(rot_axle_model model, const rot_axle_scene *scene, size_t edges,
-                                const double edge[], double most) {
+                                const double edge[], double max) {
   static const double node[5] = {0.07443716949081561, 0.2166976970646236, 0.3397047841495122,
                                  0.43253168334449226, 0.48695326425858586};
   static const double weight[5] = {0.14776211235737644, 0.13463335965499818, 0.10954318125799102,
@@ -284,7 +284,7 @@ static inline void check_energy(rot_axle_model model, const rot_axle_scene *scen
       flow += w * fabs(r.net[j] * r.omega[j]);
     }
     ROT_CHECK(fabs(r.energy[n - 1] - r.energy[0] - work) <=
-              most * (flow + r.energy[0] + r.energy[n - 1]));
+              max * (flow + r.energy[0] + r.energy[n - 1]));
   }
   rot_events_free(&r.events);
 }

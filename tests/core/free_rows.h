@@ -14,8 +14,8 @@ typedef struct rows {
 #define X(type, name) type name[ROWS];
   ROT_FREE_COLUMNS(X)
 #undef X
-  double speed[ROT_FREE_MOST_ROTORS][ROWS], momentum[ROT_FREE_MOST_ROTORS][ROWS];
-  double *speeds[ROT_FREE_MOST_ROTORS], *momenta[ROT_FREE_MOST_ROTORS];
+  double speed[ROT_FREE_MAX_ROTORS][ROWS], momentum[ROT_FREE_MAX_ROTORS][ROWS];
+  double *speeds[ROT_FREE_MAX_ROTORS], *momenta[ROT_FREE_MAX_ROTORS];
 } rows;
 
 static double flows[ROT_FREE_FLOWS][ROWS], flow_error[ROT_FREE_FLOWS];
@@ -25,7 +25,7 @@ static inline rot_free_columns columns_of(rows *r) {
 #define X(type, name) out.name = r->name;
   ROT_FREE_COLUMNS(X)
 #undef X
-  for (int k = 0; k < ROT_FREE_MOST_ROTORS; k++) {
+  for (int k = 0; k < ROT_FREE_MAX_ROTORS; k++) {
     r->speeds[k] = r->speed[k];
     r->momenta[k] = r->momentum[k];
   }

@@ -25,15 +25,15 @@
 static long rot_test_failed = 0;
 
 /* A test is a function that makes checks, however many; it passes if none of its checks fails. */
-#define ROT_TEST_MOST_CASES 200
+#define ROT_TEST_MAX_CASES 200
 static struct {
   const char *name;
   long failed;
-} rot_test_case[ROT_TEST_MOST_CASES];
+} rot_test_case[ROT_TEST_MAX_CASES];
 static int rot_test_cases = 0, rot_test_current = 0;
 
 /* A loop that fails a million times should not print a million lines. */
-#define ROT_TEST_MOST_LINES 40
+#define ROT_TEST_MAX_LINES 40
 
 /* Counts a check of the function `name` (its __func__, compared by address). True if the failure
  * should be printed. Functions beyond the last place share that place. */
@@ -41,13 +41,13 @@ static inline int rot_test_count(int ok, const char *name) {
   if (rot_test_cases == 0 || rot_test_case[rot_test_current].name != name) {
     int i = 0;
     while (i < rot_test_cases && rot_test_case[i].name != name) i++;
-    if (i == ROT_TEST_MOST_CASES) i--;
+    if (i == ROT_TEST_MAX_CASES) i--;
     if (i == rot_test_cases) rot_test_case[rot_test_cases++].name = name;
     rot_test_current = i;
   }
   if (ok) return 0;
   rot_test_case[rot_test_current].failed++;
-  return ++rot_test_failed <= ROT_TEST_MOST_LINES;
+  return ++rot_test_failed <= ROT_TEST_MAX_LINES;
 }
 
 /* How many of n random cases a test takes: all of them with ROTDYN_LONG (`make check-long`), a
@@ -93,12 +93,12 @@ static inline void rot_test_true(int ok, const char *func, const char *file, int
   if (rot_test_count(ok, func)) printf("%s:%d: failed: %s\n", file, line, what);
 }
 
-static inline void rot_test_near(double off, double most, const char *unit, double got, double want,
+static inline void rot_test_near(double off, double max, const char *unit, double got, double want,
                                  const char *func, const char *file, int line, const char *what) {
   /* Written so that a NaN distance or a NaN limit fails. */
-  if (rot_test_count(off <= most, func))
+  if (rot_test_count(off <= max, func))
     printf("%s:%d: failed: %s\n  got  %.17g\n  want %.17g\n  off by %.4g %s, allowed %.4g\n", file,
-           line, what, got, want, off, unit, most);
+           line, what, got, want, off, unit, max);
 }
 
 static inline void rot_test_int(long long a, long long b, const char *func, const char *file,
@@ -130,8 +130,8 @@ static inline void rot_test_int(long long a, long long b, const char *func, cons
  * exit code of main(). A program without a check fails. */
 static inline int rot_test_report(const char *topic) {
   int i, failed = 0;
-  if (rot_test_failed > ROT_TEST_MOST_LINES)
-    printf("(%ld more failures not shown)\n", rot_test_failed - ROT_TEST_MOST_LINES);
+  if (rot_test_failed > ROT_TEST_MAX_LINES)
+    printf("(%ld more failures not shown)\n", rot_test_failed - ROT_TEST_MAX_LINES);
   for (i = 0; i < rot_test_cases; i++)
     if (rot_test_case[i].failed > 0) {
       printf("failed test: %s, %ld checks\n", rot_test_case[i].name, rot_test_case[i].failed);

@@ -6,13 +6,13 @@
 #include "rot_test.h"
 #include "scene/run.h"
 
-enum { KIT_MOST = 20 };
+enum { KIT_MAX = 20 };
 
 typedef struct kit {
   const rot_constraint *c;
   const rot_maker *maker;
-  rot_given given[ROT_MOST_INPUTS];
-  double x[ROT_MOST_INPUTS][KIT_MOST];
+  rot_given given[ROT_MAX_INPUTS];
+  double x[ROT_MAX_INPUTS][KIT_MAX];
   rot_resistance resistance;
   void *scene;
   rot_refusal no;
@@ -50,7 +50,7 @@ static inline void kit_number(kit *k, const char *name, double x) { kit_numbers(
 /* A resistance of one term. */
 static inline void kit_resist(kit *k, const char *term, double x) {
   const rot_part *part = &rot_resistance_part;
-  rot_given given[ROT_MOST_INPUTS] = {0};
+  rot_given given[ROT_MAX_INPUTS] = {0};
   given[rot_input_named(part->n_inputs, part->inputs, term)] =
       (rot_given){.is = ROT_INPUT_NUMBER, .n = 1, .x = &x};
   ROT_CHECK(rot_inputs_check(part->n_inputs, part->inputs, given, &k->no) == ROT_OK);
@@ -84,16 +84,16 @@ static inline int kit_refuses(kit *k, const char *input, const char *words) {
 /* ---- runs ------------------------------------------------------------------------------------ */
 
 typedef struct motion {
-  size_t n, copies;
-  double *column[ROT_MOST_COLUMNS], *flow[ROT_MOST_FLOWS];
-  double flow_error[ROT_MOST_FLOWS];
+  size_t n, rows_per_time;
+  double *column[ROT_MAX_COLUMNS], *flow[ROT_MAX_FLOWS];
+  double flow_error[ROT_MAX_FLOWS];
   rot_outcome out;
   rot_run_end end;
 } motion;
 
 static inline void motion_free(motion *m) {
-  for (size_t i = 0; i < ROT_MOST_COLUMNS; i++) free(m->column[i]);
-  for (size_t i = 0; i < ROT_MOST_FLOWS; i++) free(m->flow[i]);
+  for (size_t i = 0; i < ROT_MAX_COLUMNS; i++) free(m->column[i]);
+  for (size_t i = 0; i < ROT_MAX_FLOWS; i++) free(m->flow[i]);
   rot_events_free(&m->out.events);
 }
 
@@ -104,11 +104,11 @@ static inline motion kit_run(kit *k, const char *model, double accuracy, size_t 
   memset(&m, 0, sizeof m);
   m.n = n;
   ROT_CHECK(kit_build(k) == ROT_OK);
-  m.copies = rot_run_copies(k->c, k->scene);
-  for (size_t i = 0; i < k->c->n_columns; i++) m.column[i] = calloc(n * m.copies + 1, 8);
+  m.rows_per_time = rot_run_rows_per_time(k->c, k->scene);
+  for (size_t i = 0; i < k->c->n_columns; i++) m.column[i] = calloc(n * m.rows_per_time + 1, 8);
   for (size_t i = 0; i < k->c->n_flows; i++) m.flow[i] = calloc(n + 1, 8);
-  void *column[ROT_MOST_COLUMNS];
-  for (size_t i = 0; i < ROT_MOST_COLUMNS; i++) column[i] = m.column[i];
+  void *column[ROT_MAX_COLUMNS];
+  for (size_t i = 0; i < ROT_MAX_COLUMNS; i++) column[i] = m.column[i];
   const rot_task task = {.n = n, .time_s = time_s, .accuracy = accuracy, .max_steps = 10000000};
   const rot_rows want = {.column = column, .flow = m.flow, .flow_error = m.flow_error};
   m.end = rot_run(k->c, k->scene, model, &task, 0.0, &want, &m.out, NULL);
@@ -119,7 +119,7 @@ static inline motion kit_run(kit *k, const char *model, double accuracy, size_t 
 static inline double value(const kit *k, const motion *m, const char *name, size_t i, size_t link) {
   const size_t at = rot_run_column(k->c, name);
   ROT_CHECK(at < k->c->n_columns);
-  return m->column[at][i * m->copies + link];
+  return m->column[at][i * m->rows_per_time + link];
 }
 
 static inline int ran(const motion *m) {
@@ -135,13 +135,13 @@ static inline double reported(const motion *m, size_t measure) {
  * whose sign is turned; -1: none. Its value in *term if that is not NULL. */
 static inline double audit(const kit *k, const motion *m, size_t balance, size_t i, size_t j,
                            int wrong, double *term) {
-  double first[ROT_MOST_COLUMNS * KIT_MOST], last[ROT_MOST_COLUMNS * KIT_MOST];
-  double flow[ROT_MOST_FLOWS], error[ROT_MOST_MEASURES], terms[ROT_MOST_TERMS];
-  double explained[ROT_MOST_BALANCES], residual = 0.0;
+  double first[ROT_MAX_COLUMNS * KIT_MAX], last[ROT_MAX_COLUMNS * KIT_MAX];
+  double flow[ROT_MAX_FLOWS], error[ROT_MAX_MEASURES], terms[ROT_MAX_TERMS];
+  double explained[ROT_MAX_BALANCES], residual = 0.0;
   for (size_t c = 0; c < k->c->n_columns; c++) {
-    for (size_t l = 0; l < m->copies; l++) {
-      first[c * m->copies + l] = m->column[c][i * m->copies + l];
-      last[c * m->copies + l] = m->column[c][j * m->copies + l];
+    for (size_t l = 0; l < m->rows_per_time; l++) {
+      first[c * m->rows_per_time + l] = m->column[c][i * m->rows_per_time + l];
+      last[c * m->rows_per_time + l] = m->column[c][j * m->rows_per_time + l];
     }
   }
   for (size_t f = 0; f < k->c->n_flows; f++) flow[f] = m->flow[f][j] - m->flow[f][i];
@@ -162,7 +162,7 @@ static inline double audit(const kit *k, const motion *m, size_t balance, size_t
  * sign. */
 static inline void check_audits(const kit *k, const motion *m) {
   for (size_t b = 0; b < k->c->n_balances; b++) {
-    double term[ROT_MOST_TERMS] = {0.0}, ratio[ROT_MOST_TERMS], most = 0.0;
+    double term[ROT_MAX_TERMS] = {0.0}, ratio[ROT_MAX_TERMS], max = 0.0;
     const char *why;
     for (size_t i = 0; i + 1 < m->n; i++) {
       ROT_CHECK(audit(k, m, b, i, i + 1, -1, NULL) <= 1.0);
@@ -171,10 +171,10 @@ static inline void check_audits(const kit *k, const motion *m) {
     for (size_t t = 0; t < k->c->n_terms; t++) {
       if (k->c->terms[t].balance != b) continue;
       ratio[t] = audit(k, m, b, 0, m->n - 1, (int)t, &term[t]);
-      most = fmax(most, fabs(term[t]));
+      max = fmax(max, fabs(term[t]));
     }
     for (size_t t = 0; t < k->c->n_terms && m->out.error < 1e-6; t++) {
-      if (!k->c->keeps(k->scene, b, &why) || fabs(term[t]) <= 1e-4 * most) continue;
+      if (!k->c->conserved(k->scene, b, &why) || fabs(term[t]) <= 1e-4 * max) continue;
       ROT_CHECK(ratio[t] > 10.0);
     }
   }

@@ -50,7 +50,7 @@ void set_nothing(const int *at, char **input, int *status) {
 void check(const int *at, int *copies, char **reason) {
   rotdyn_report report = ROTDYN_INIT(rotdyn_report);
   (void)api->object_check(object[*at], &report);
-  *copies = (int)report.copies;
+  *copies = (int)report.rows_per_time;
   strncpy(*reason, report.reason, 199);
 }
 

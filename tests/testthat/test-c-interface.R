@@ -342,8 +342,9 @@ test_that("objects made by name in C compute R's bits and its error, for random 
     names <- setdiff(names(motion), c("time_s", "rotor"))
     # R adds those of the other shafts.
     if (inherits(scene, "rot_scene_gears")) names <- names[!grepl("_[2-9]_", names)]
-    copies <- .C("check", at, copies = 0L, strrep(" ", 200), PACKAGE = "c_objects")$copies
-    rows <- length(time_s) * copies
+    rows_per_time <- .C("check", at, rows_per_time = 0L, strrep(" ", 200),
+      PACKAGE = "c_objects")$rows_per_time
+    rows <- length(time_s) * rows_per_time
     from_c <- .C("run", at, length(time_s), time_s, accuracy, asked %||% "", length(names), names,
       rows, columns = double(length(names) * rows), error = 0, status = 0L,
       model = strrep(" ", 200), NAOK = TRUE, PACKAGE = "c_objects"

@@ -94,7 +94,7 @@ test_that("work-precision measures", {
   skip_if_not_installed("yyjsonr")
   in_folder({
     said <- cli("work-precision", "wheel.json", "--times", "0:8:1", "--accuracies", "1e-3",
-                "--least-batch-s", "0.001")
+                "--min-batch-s", "0.001")
   })
   expect_identical(said$status, 0L)
   expect_match(said$out[1], "^model,method,accuracy,")
@@ -164,7 +164,7 @@ test_that("each verb prints what it printed: records and measurements", {
     cli_golden("runs", "none.sqlite")
     cli_golden("metadata", "constants", "--format", "jsonl")
     cli_golden("work-precision", "wheel.json", "--times", "0:8:1", "--accuracies", "1e-6",
-               "--least-batch-s", "0.001", masked = c("^([^,]*,[^,]*,[^,]*),.*" = "\\1"))
+               "--min-batch-s", "0.001", masked = c("^([^,]*,[^,]*,[^,]*),.*" = "\\1"))
   }))
 })
 
@@ -504,7 +504,7 @@ test_that("the command in a shell: pipes, profiles, locales, interrupts", {
   command <- shQuote(system.file("exec", "rotdyn", package = "rotdyn"))
   said <- in_shell(paste(
     "timeout --preserve-status -s INT 2 ", command,
-    "work-precision --moment-of-inertia-kg-m2 1 --times 0,1 --least-batch-s 60; echo $?"
+    "work-precision --moment-of-inertia-kg-m2 1 --times 0,1 --min-batch-s 60; echo $?"
   ), folder)
   # Without words where it comes before R has begun.
   expect_identical(said[length(said)], "130")

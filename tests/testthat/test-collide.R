@@ -40,7 +40,7 @@ test_that("two balls: a head-on one, one that grips, a point mass", {
   expect_equal(floor$vx_1_m_per_s, same$vx_m_per_s, tolerance = 1e-14)
   expect_equal(floor$omega_y_1_rad_per_s, same$omega_rad_per_s, tolerance = 1e-14)
   expect_equal(floor$friction_loss_j, same$friction_loss_j, tolerance = 1e-13)
-  expect_identical(floor$grips, same$grips)
+  expect_identical(floor$sticks, same$sticks)
   point <- body_points(data.frame(x_m = 0, y_m = 0, z_m = 0, mass_kg = 1))
   bounce <- collide(point, velocity_1_m_per_s = c(1, 0, -1), normal = c(0, 0, 1), friction = 0.1)
   expect_equal(bounce$vx_1_m_per_s, 0.8, tolerance = 1e-15)
@@ -158,7 +158,7 @@ test_that("bad input is the package's own error", {
   expect_error(
     hit(body_1 = body_rod(1, 1), arm_1_m = c(0.1, 0.1, 0)), class = "rotdyn_error_value"
   )
-  expect_identical(hit(friction = matrix(c(0.1, 0.2), 1))$grips, c(TRUE, TRUE))
+  expect_identical(hit(friction = matrix(c(0.1, 0.2), 1))$sticks, c(TRUE, TRUE))
   expect_error(collision_ledger(factor("a")), class = "rotdyn_error_type")
   expect_error(collide(ball), class = "rotdyn_error_missing")
   expect_warning(

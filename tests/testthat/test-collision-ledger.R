@@ -63,7 +63,7 @@ test_that("an edited velocity shows; changed rows are a plain tibble", {
   edited$normal_loss_j[2] <- edited$normal_loss_j[2] * (1 + 1e-12)
   expect_true("unbalanced" %in% collision_ledger(edited, 2)$verdict)
   expect_false(inherits(two[2:1, ], "rot_collision"))
-  expect_false(inherits(two["grips"], "rot_collision"))
+  expect_false(inherits(two["sticks"], "rot_collision"))
   expect_s3_class(two[1:2, ], "rot_collision")
   expect_error(collision_ledger(two[1, ]), class = "rotdyn_error_type")
   expect_error(collision_ledger(two, 3), class = "rotdyn_error_value")

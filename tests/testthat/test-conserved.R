@@ -91,7 +91,7 @@ test_that("the audit says the same, and checks it", {
   # A statement that is wrong is found by the numbers.
   wrong <- rotdyn:::mark_conserved(
     list(rotdyn:::balance("energy", NA, "J", -2, 0, 2, 1e-12)),
-    list(rotdyn:::keeps("energy", NA_character_, TRUE, "so it seems"))
+    list(rotdyn:::statement("energy", NA_character_, TRUE, "so it seems"))
   )
   expect_identical(wrong[[1]]$verdict, "unbalanced")
 })

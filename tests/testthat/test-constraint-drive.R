@@ -1,26 +1,28 @@
 test_that("the time scales of drives and shafts are those of their rotors and couplings", {
-  pace <- function(scene) rotdyn:::constraint_of(scene)$pace(scene, c(omega = 2), "rotors_modal")
+  time_scales <- function(scene) rotdyn:::constraint_of(scene)$time_scales(scene, c(omega = 2),
+    "rotors_modal")
   # The rate of two equal rotors is 2 c/I; Gershgorin's bound is at most twice as large.
   within <- function(value, truth) expect_true(value <= 1.0001 * truth && value >= truth / 4.0001)
   shaft <- scene_rotors(c(2, 2), 50, damping_n_m_s = 0.8)
-  within(pace(shaft)$fades_s, 2 / (2 * 0.8))
-  within(1 / pace(shaft)$swing_rad_per_s, 1 / sqrt(2 * 50 / 2))
-  rigid <- rotdyn:::rotors_pace(
+  within(time_scales(shaft)$fades_s, 2 / (2 * 0.8))
+  within(1 / time_scales(shaft)$swing_rad_per_s, 1 / sqrt(2 * 50 / 2))
+  rigid <- rotdyn:::rotors_time_scales(
     scene_rotors(c(2, 3), 50, resistance = c(0.5, 0.25)), c(omega = 2), "rotors_rigid"
   )
   expect_equal(rigid$fades_s, 5 / 0.75)
 })
 
 test_that("a drive's time scale: I/c of its rotors and of its shafts, the rates added", {
-  pace <- function(...) {
-    rotdyn:::drive_constraint()$pace(scene_drive(...), c(theta = 1, omega = 2), "drive_rk8pd")
+  time_scales <- function(...) {
+    rotdyn:::drive_constraint()$time_scales(scene_drive(...), c(theta = 1, omega = 2),
+      "drive_rk8pd")
   }
-  one <- pace(
+  one <- time_scales(
     c(2, 3), coupling_gear(2), resistance = list(resistance(viscous_n_m_s = 0.5), NULL)
   )
   expect_equal(one$fades_s, 2 / 0.5)
   # 2 k/I and 2 c/I of two equal rotors; bounds at most twice as large.
-  both <- pace(
+  both <- time_scales(
     c(2, 2), coupling_shaft(50, damping_n_m_s = 0.8),
     resistance = list(resistance(viscous_n_m_s = 0.5), NULL)
   )
@@ -35,10 +37,10 @@ test_that("a drive's time scale: I/c of its rotors and of its shafts, the rates 
 test_that("gravity swings as fast as its small swings, or as the body turns", {
   # m g d = 9 N m on 4 kg m^2: 1.5 rad/s, and twice that on the way down from the top.
   scene <- scene_drive(4, torque = torque_gravity(1, 1, gravity_m_per_s2 = 9))
-  pace <- function(omega) {
-    rotdyn:::drive_constraint()$pace(scene, c(theta = 1, omega = omega), "drive_rk8pd")
+  time_scales <- function(omega) {
+    rotdyn:::drive_constraint()$time_scales(scene, c(theta = 1, omega = omega), "drive_rk8pd")
   }
-  expect_equal(pace(2)$fades_s, 1 / 3)
-  expect_equal(pace(2)$swing_rad_per_s, 3)
-  expect_equal(pace(5)$swing_rad_per_s, 5)
+  expect_equal(time_scales(2)$fades_s, 1 / 3)
+  expect_equal(time_scales(2)$swing_rad_per_s, 3)
+  expect_equal(time_scales(5)$swing_rad_per_s, 5)
 })

@@ -93,7 +93,7 @@ test_that("what is conserved follows from what acts", {
 
 test_that("work_precision() measures the attitude by its angle", {
   table <- work_precision(driven, 0:3, accuracies = c(1e-4, 1e-8), models = "free_rk8pd",
-                          batches = 1, least_batch_s = 1e-3)
+                          batches = 1, min_batch_s = 1e-3)
   expect_true(all(c("attitude_error", "omega_error", "angular_momentum_error") %in% names(table)))
   expect_true(all(table$attitude_error <= table$accuracy))
   expect_false(any(table$covered %in% FALSE))

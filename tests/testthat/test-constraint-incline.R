@@ -40,15 +40,15 @@ test_that("rolling resistance holds a body until friction turns it with more", {
 })
 
 test_that("the time scales of an incline: v/g, m/c", {
-  pace <- function(..., speed = 3, turning = 0) {
+  time_scales <- function(..., speed = 3, turning = 0) {
     scene <- scene_incline(body_sphere(2, 0.1), 10, ...)
     sizes <- c(x = 0, v = speed, theta = 0, omega = turning)
-    rotdyn:::constraint_of(scene)$pace(scene, sizes, NULL)$fades_s
+    rotdyn:::constraint_of(scene)$time_scales(scene, sizes, NULL)$fades_s
   }
-  expect_equal(pace(), 3 / 9.80665)
-  expect_equal(pace(turning = 50), 5 / 9.80665)
-  expect_equal(pace(resistance = resistance(drag_n_s_per_m = 40)), 2 / 40)
-  expect_equal(pace(resistance = resistance(drag_n_s2_per_m2 = 40)), 2 / (40 * 3))
+  expect_equal(time_scales(), 3 / 9.80665)
+  expect_equal(time_scales(turning = 50), 5 / 9.80665)
+  expect_equal(time_scales(resistance = resistance(drag_n_s_per_m = 40)), 2 / 40)
+  expect_equal(time_scales(resistance = resistance(drag_n_s2_per_m2 = 40)), 2 / (40 * 3))
 })
 
 test_that("rolling resistance slows a body that turns, also where friction is the smaller", {

@@ -188,7 +188,7 @@ test_that("many rotors can be interrupted, their modes and audit too", {
 test_that("rotors drift under a torque, and where they turn as a whole", {
   drifts <- function(torque, omega0) {
     scene <- scene_rotors(c(1, 2), 5, torque = torque, omega0_rad_per_s = omega0)
-    rotdyn:::rotors_pace(scene, c(theta = 1, omega = 1), "rotors_modes")$drifts
+    rotdyn:::rotors_time_scales(scene, c(theta = 1, omega = 1), "rotors_modes")$drifts
   }
   expect_true(drifts(c(0, 3), c(0, 0)))
   expect_true(drifts(c(0, 0), c(1, 1)))

@@ -291,7 +291,7 @@ test_that("accuracies with units, failures and budgets mean the same", {
 
 test_that("it is measured beside its other models, and drawn", {
   expect_warning(measured <- work_precision(
-    scene_drop(100), 0:3, accuracies = c(1e-2, 1e-4), least_batch_s = 1e-4, batches = 2
+    scene_drop(100), 0:3, accuracies = c(1e-2, 1e-4), min_batch_s = 1e-4, batches = 2
   ), NA)
   expect_true(all(c("height_error", "speed_error") %in% names(measured)))
   expect_equal(unique(measured$model), c("drop_exact", "drop_rk4"))

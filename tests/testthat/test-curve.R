@@ -100,7 +100,7 @@ test_that("a ball leaves a hill where cos = 2/(3 + beta)", {
     end <- arrival(curve_path(sin, cos), 0.1, 1.5, body = beta)
     expect_equal(end$event, "leaves")
     expect_equal(end$y_m, 2 * cos(0.1) / (3 + beta), tolerance = 1e-12)
-    expect_equal(end$least_normal_n, 0, tolerance = 1e-10)
+    expect_equal(end$min_normal_n, 0, tolerance = 1e-10)
   }
   # It slips before: mu (g cos - v^2) = beta/(1 + beta) g sin.
   end <- arrival(curve_path(sin, cos), 0.1, 1.5, body = 2 / 5, friction = 0.3)
@@ -134,8 +134,8 @@ test_that("contact and friction are never violated on the way", {
     expect_false(is.unsorted(motion$time_s, strictly = TRUE))
     # Energy: m v^2 (1 + beta)/2 + m g y, from row to row, in the rate of the path.
     rate <- diff(motion$path_m) / diff(motion$time_s)
-    pace <- pmax(motion$v_m_per_s[-1], motion$v_m_per_s[-nrow(motion)])
-    expect_lte(max(rate / pace), 1.05)
+    time_scales <- pmax(motion$v_m_per_s[-1], motion$v_m_per_s[-nrow(motion)])
+    expect_lte(max(rate / time_scales), 1.05)
   }
   expect_setequal(unique(seen), c("arrives", "turns", "leaves", "slips"))
 })
@@ -180,10 +180,10 @@ test_that("barriers and dips far narrower than the rows end the motion", {
   # A dip passes, and takes its time: as one panel each by another rule.
   dip <- function(x) -0.1 * x - 0.005 * exp(-((x - 6.1234) / 0.3)^2)
   slope <- function(x) -0.1 + 0.005 * 2 * (x - 6.1234) / 0.09 * exp(-((x - 6.1234) / 0.3)^2)
-  pace <- function(x) sqrt((1 + slope(x)^2) / (25 - 2 * g / 1.4 * dip(x)))
+  time_scales <- function(x) sqrt((1 + slope(x)^2) / (25 - 2 * g / 1.4 * dip(x)))
   ends <- c(0, 4, 5.5, 6.1234, 6.7, 8, 10)
   time <- sum(mapply(function(a, b) {
-    stats::integrate(pace, a, b, rel.tol = 1e-12)$value
+    stats::integrate(time_scales, a, b, rel.tol = 1e-12)$value
   }, ends[-7], ends[-1]))
   for (rows in c(2, 301)) {
     got <- arrival(dip, 0, 10, v0_m_per_s = 5, rows = rows)
@@ -203,7 +203,7 @@ test_that("a summary is of the motion, not of its rows", {
   all <- lapply(c(2, 3, 5, 101, 5001), function(rows) arrival(curve, 0, 6, rows = rows))
   for (one in all) {
     expect_equal(one$event, "arrives")
-    expect_equal(one$least_normal_n, min(push), tolerance = 1e-9)
+    expect_equal(one$min_normal_n, min(push), tolerance = 1e-9)
     expect_equal(one$friction_needed, max(needed), tolerance = 1e-9)
     expect_equal(one$time_s, all[[1]]$time_s, tolerance = 1e-14)
   }

@@ -133,7 +133,7 @@ test_that("they are never chosen, and say what they are", {
 test_that("work_precision() shows the ladder beside the closed form", {
   scene <- scene_pendulum(body_rod(0.1, 1), 0.5, theta0_rad = 1)
   table <- work_precision(
-    scene, 0:4, accuracies = 1e-9, steps_s = c(0.01, 0.005), least_batch_s = 0.001, batches = 1
+    scene, 0:4, accuracies = 1e-9, steps_s = c(0.01, 0.005), min_batch_s = 0.001, batches = 1
   )
   fixed <- table[!is.na(table$step_s), ]
   expect_setequal(fixed$model, paste0("axle_", ladder))

@@ -7,7 +7,7 @@ test_that("the table of bounces, as a user would call it", {
     ball <- shape(r$m, r$R)
     hit <- ball_bounce(ball, r$vx, r$vy, r$omega, r$e, r$mu)
     size <- abs(r$vx) + r$R * abs(r$omega)
-    expect_identical(hit$grips, r$grip == 1)
+    expect_identical(hit$sticks, r$grip == 1)
     expect_equal(hit$vx_m_per_s, r$vx1, tolerance = 1e-14)
     expect_ulps(hit$vy_m_per_s, r$vy1, 1)
     expect_lte(abs(hit$omega_rad_per_s - r$omega1), 4e-15 * size / r$R)
@@ -20,7 +20,7 @@ test_that("the table of bounces, as a user would call it", {
     expect_lte(abs(same$vx_1_m_per_s - r$vx1), 1e-15 * size)
     expect_lte(abs(same$vy_1_m_per_s - r$vy1), 1e-15 * abs(r$vy))
     expect_lte(abs(same$omega_z_1_rad_per_s + r$omega1), 4e-15 * size / r$R)
-    expect_identical(same$grips, r$grip == 1)
+    expect_identical(same$sticks, r$grip == 1)
     expect_true(all(collision_ledger(hit)$verdict == "balanced"))
   }
 })
@@ -64,7 +64,7 @@ test_that("tangential restitution: the superball, and what friction allows of it
   # Friction gives at most 0.5 * 4 N s: enough for 2/7 * 6.3, too little for 1.5 of it.
   slides <- ball_bounce(ball, 6.3, -2, 0, 1, 0.5, c(0, 0.5))
   expect_equal(slides$friction_impulse_n_s, c(-1.8, -2), tolerance = 1e-15)
-  expect_identical(slides$grips, c(TRUE, FALSE))
+  expect_identical(slides$sticks, c(TRUE, FALSE))
   expect_error(ball_bounce(ball, 1, -1, tangential_restitution = 1.5), class = "rotdyn_error_value")
 })
 
@@ -123,7 +123,7 @@ test_that("arguments are columns; bad ones name the row", {
   ball <- body_sphere(1, 0.1)
   hit <- ball_bounce(ball, c(1, NA, 2), -1, 0, 0.5, 0.1)
   expect_identical(nrow(hit), 3L)
-  expect_true(is.na(hit$vx_m_per_s[2]) && is.na(hit$grips[2]))
+  expect_true(is.na(hit$vx_m_per_s[2]) && is.na(hit$sticks[2]))
   expect_setequal(setdiff(names(hit), column_table()$name), character())
   expect_error(ball_bounce(ball, 1, -1, restitution = c(0.5, 1.1)), "row 2",
     class = "rotdyn_error_value")

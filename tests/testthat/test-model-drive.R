@@ -387,7 +387,7 @@ test_that("a drive is drawn and measured", {
   expect_s3_class(ggplot2::autoplot(geared_drive()), "ggplot")
   expect_s3_class(ggplot2::autoplot(clutch_drive()), "ggplot")
   cost <- work_precision(
-    clutch_drive(), 0:3, accuracies = c(1e-4, 1e-8), least_batch_s = 1e-3, batches = 1
+    clutch_drive(), 0:3, accuracies = c(1e-4, 1e-8), min_batch_s = 1e-3, batches = 1
   )
   expect_true(all(cost$covered, na.rm = TRUE))
   expect_gt(nrow(cost), 2L)

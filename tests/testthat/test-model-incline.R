@@ -187,7 +187,7 @@ test_that("rows of events: one for each, none twice, and every verb keeps them",
   expect_identical(there$event, c("reverse", "roll", NA))
   expect_identical(there$time_s, rev(c(0.1, at)))
   # Two events at one time are one row: over-spin that stops and turns back.
-  measured <- work_precision(up, seq(0, 3, by = 0.5), accuracies = 1e-9, least_batch_s = 1e-3)
+  measured <- work_precision(up, seq(0, 3, by = 0.5), accuracies = 1e-9, min_batch_s = 1e-3)
   expect_setequal(measured$model, c("incline_exact", "incline_rk8pd", "incline_radau"))
   expect_true(all(measured$true_error <= 1e-9))
   expect_true(all(measured$covered %in% c(TRUE, NA)))

@@ -5,7 +5,7 @@ test_that("the work-precision diagram draws without a warning", {
     peers = list(still = function(scene, time_s, accuracy) {
       list(theta_rad = 0 * time_s, omega_rad_per_s = 0 * time_s)
     }),
-    least_batch_s = 1e-4, batches = 1
+    min_batch_s = 1e-4, batches = 1
   )
   for (rows in list(seq_len(nrow(measured)), 1, which(measured$model == "axle_rk8pd"))) {
     drawn <- measured[rows, ]
@@ -29,7 +29,7 @@ test_that("a peer without numbers has no point", {
     peers = list(lost = function(scene, time_s, accuracy) {
       list(theta_rad = c(time_s[-1], NA), omega_rad_per_s = 0 * time_s)
     }),
-    least_batch_s = 1e-4, batches = 1
+    min_batch_s = 1e-4, batches = 1
   )
   expect_equal(measured$true_error[2], NA_real_)
   expect_equal(measured$floor[2], NA)
@@ -52,7 +52,7 @@ test_that("labels of costs and accuracies", {
 test_that("the grey band ends at three times the error of the reference", {
   skip_if_not_installed("ggplot2")
   measured <- work_precision(
-    article_scene(), 0:8, "axle_rk8pd", accuracies = 10^-c(3, 6, 9), least_batch_s = 1e-4,
+    article_scene(), 0:8, "axle_rk8pd", accuracies = 10^-c(3, 6, 9), min_batch_s = 1e-4,
     batches = 1
   )
   measured$reference_error <- measured$true_error[2] / 3

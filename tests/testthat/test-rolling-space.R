@@ -32,13 +32,13 @@ test_that("a ball on a turntable runs on a circle, 2/7 as fast as the table", {
 
 test_that("the least speed of a disk and of a hoop", {
   x <- rolling_disk_speed(list(body_disk(2, 0.3), body_hoop(1, 0.3)))
-  expect_equal(x$least_speed_m_per_s^2, g * 0.3 / c(3, 4))
-  expect_equal(x$least_spin_rad_per_s, x$least_speed_m_per_s / 0.3)
+  expect_equal(x$min_speed_m_per_s^2, g * 0.3 / c(3, 4))
+  expect_equal(x$min_spin_rad_per_s, x$min_speed_m_per_s / 0.3)
   expect_error(rolling_disk_speed(0.3), class = "rotdyn_error_type")
   expect_error(rolling_disk_speed(body_cylinder(0, 1, 1)), class = "rotdyn_error_value")
   # A long cylinder: It = m (r^2/4 + l^2/12).
   long <- rolling_disk_speed(body_cylinder(3, 0.1, 0.6))
-  expect_equal(long$least_speed_m_per_s^2, g * 0.1 * (0.25 + 3) / (0.5 * 1.5))
+  expect_equal(long$min_speed_m_per_s^2, g * 0.1 * (0.25 + 3) / (0.5 * 1.5))
 })
 
 test_that("a coin rolls straight, on a circle, wobbles, and falls", {
@@ -105,7 +105,8 @@ test_that("the time at which a disk lies flat is told, where it does, and only t
     2 * s / sqrt(2 * rate * (cos(start) - cos(start + s^2)))
   }, 0, sqrt(pi / 2 - start), rel.tol = 1e-10)$value
   said <- expect_warning(
-    roll_disk(body_disk(1, 0.5), seq(0, 2, by = 0.1), lean_deg = 17), class = "rotdyn_warning_truncated"
+    roll_disk(body_disk(1, 0.5), seq(0, 2, by = 0.1), lean_deg = 17),
+    class = "rotdyn_warning_truncated"
   )
   told <- as.numeric(sub(".* at ([0-9.]+) s.*", "\\1", conditionMessage(said)))
   expect_equal(told, flat, tolerance = 1e-3)

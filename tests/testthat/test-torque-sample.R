@@ -123,11 +123,11 @@ test_that("the time of a call is measured", {
   # In every scene that takes a function it counts in the predicted time.
   f <- busy$f
   g <- function(t) f(t) + c(0, 0, 0)
-  grip <- coupling_clutch(torque_function(f, breaks_s = numeric()))
+  friction <- coupling_clutch(torque_function(f, breaks_s = numeric()))
   slow <- list(
     scene_axle(1, busy), scene_drive(c(1, 2), list(coupling_shaft(3)), torque = list(busy, NULL)),
     scene_drive(c(1, 2), list(coupling_shaft(3)), brake = list(NULL, brake(busy))),
-    scene_drive(c(1, 2), list(grip)),
+    scene_drive(c(1, 2), list(friction)),
     scene_incline(body_sphere(1, 0.1), 10, force = f),
     scene_incline(body_sphere(1, 0.1), 10, force = function(time_s, x_m, v_m_per_s) f(time_s)),
     scene_free(c(1, 2, 3), c(1, 1, 1), torque = g),

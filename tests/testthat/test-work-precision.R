@@ -1,6 +1,6 @@
 # Short batches: what is tested here does not depend on how well the cost is known.
 measure <- function(scene = article_scene(), time_s = 0:8, ...) {
-  work_precision(scene, time_s, ..., least_batch_s = 1e-4, batches = 2)
+  work_precision(scene, time_s, ..., min_batch_s = 1e-4, batches = 2)
 }
 pendulum <- function() {
   scene_axle(
@@ -199,7 +199,7 @@ test_that("cost is processor time of one call", {
         still(time_s)
       }
     ),
-    least_batch_s = 0.004, batches = 3
+    min_batch_s = 0.004, batches = 3
   )
   expect_true(all(measured$cost_s[1:2] >= c(0.002, 0.02)))
   expect_true(all(measured$cost_s[1:2] < 1.5 * c(0.002, 0.02)))
@@ -209,7 +209,7 @@ test_that("cost is processor time of one call", {
 test_that("steps of fixed length, each length a run: their errors fall as their orders say", {
   block <- scene_free(c(1, 2, 3), c(0.1, 2, 0.1))
   run <- function(...) {
-    work_precision(block, 0:5, accuracies = 1e-9, least_batch_s = 1e-4, batches = 1, ...)
+    work_precision(block, 0:5, accuracies = 1e-9, min_batch_s = 1e-4, batches = 1, ...)
   }
   steps <- c(0.02, 0.01)
   measured <- run(steps_s = steps)
@@ -268,5 +268,5 @@ test_that("an error of the choice shows the user's call", {
 
 test_that("more batches than anybody waits for are refused", {
   expect_error(work_precision(scene_axle(1), 1, batches = 1e16), class = "rotdyn_error_value")
-  expect_error(work_precision(scene_axle(1), 1, least_batch_s = 1e9), class = "rotdyn_error_value")
+  expect_error(work_precision(scene_axle(1), 1, min_batch_s = 1e9), class = "rotdyn_error_value")
 })

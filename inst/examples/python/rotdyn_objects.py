@@ -25,7 +25,7 @@ class Report(Struct):
     _fields_ = [("size", Z), ("status", I), ("rows_done", Z), ("time_s", D), ("steps", Z),
                 ("rejected", Z), ("law_calls", Z), ("error", D), ("error_is_bound", I),
                 ("n_measures", Z), ("measure", T * 8), ("measure_error", D * 8),
-                ("measure_largest", D * 8), ("model", T), ("index", T), ("copies", Z),
+                ("measure_largest", D * 8), ("model", T), ("index", T), ("rows_per_time", Z),
                 ("input", T), ("reason", c.c_char * 512)]
 
 
@@ -134,7 +134,7 @@ def run(constructor, arguments, time_s, columns=None, accuracy=0.0, model=None):
     report = Report()
     if lib.rotdyn_object_check(scene.pointer, c.byref(report)):
         raise Refused(f"{(report.input or b'').decode()} {report.reason.decode()}")
-    room = len(time_s) * report.copies
+    room = len(time_s) * report.rows_per_time
     out = [(D * room)() for _ in columns]
     options = Options(accuracy=accuracy, model=model.encode() if model else None)
     status = lib.rotdyn_scene_run(

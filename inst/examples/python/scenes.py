@@ -84,6 +84,6 @@ for name, scene, columns in json.loads(SCENES):
     scene.pop("scene_format", None)
     (constructor, arguments), = scene.items()
     report, motion = run(constructor, arguments, times, columns)
-    rows = [t for t in times for _ in range(report.copies)]
+    rows = [t for t in times for _ in range(report.rows_per_time)]
     for t, a, b in zip(rows, *(motion[column] for column in columns)):
         print(f"{name},{t!r},{a!r},{b!r}")

@@ -224,7 +224,7 @@ typedef struct sweep {
   rot_axle_sweep_columns out;
   double *scratch; /* columns that the caller does not want, the viscous column with a motor */
   int *statuses;
-  double least_viscous, most_viscous;
+  double min_viscous, max_viscous;
   int scaled;
 } sweep;
 
@@ -236,8 +236,8 @@ static rot_column column_or(rotdyn_column column, const double *otherwise) {
 
 static rotdyn_status check_sweep(job *j, sweep *s) {
   const rot_axle_sweep_rows *r = &s->rows;
-  s->least_viscous = INFINITY;
-  s->most_viscous = -INFINITY;
+  s->min_viscous = INFINITY;
+  s->max_viscous = -INFINITY;
   for (size_t i = 0; i < r->n; i++) {
     const double inertia = rot_at(r->inertia_kg_m2, i), c = rot_at(r->viscous_n_m_s, i);
     const double scale = rot_at(r->torque_scale, i), to = rot_at(r->time_s, i);
@@ -251,8 +251,8 @@ static rotdyn_status check_sweep(job *j, sweep *s) {
     if (!(to >= r->start_s && isfinite(to - r->start_s))) {
       return refuse_row(j, "the time must be finite and not lie before the start", i);
     }
-    s->least_viscous = fmin(s->least_viscous, c);
-    s->most_viscous = fmax(s->most_viscous, c);
+    s->min_viscous = fmin(s->min_viscous, c);
+    s->max_viscous = fmax(s->max_viscous, c);
     s->scaled |= scale != 1.0;
   }
   return ROTDYN_OK;
@@ -296,7 +296,7 @@ static rotdyn_status open_sweep(job *j, size_t n, const rotdyn_sweep_in *in,
 
 /* The closed form that takes what acts in any of the rows; NULL: "axle_linear". */
 static rotdyn_status sweep_model(job *j, const sweep *s, rot_axle_model *model, const char **name) {
-  rot_candidate all[ROT_MOST_MODELS];
+  rot_candidate all[ROT_MAX_MODELS];
   rot_axle_scene *scene = &j->scene;
   const int linear = scene->static_n_m == 0.0 && scene->quadratic_n_m_s2 == 0.0 &&
                      scene->n_terms == 0 && !scene->linear.torque.call && scene->n_inertia == 0;
@@ -307,7 +307,7 @@ static rotdyn_status sweep_model(job *j, const sweep *s, rot_axle_model *model, 
     (void)refuse(j, "`torque_scale` is for knots only");
     return ROTDYN_EMODEL;
   }
-  scene->viscous_n_m_s = s->least_viscous < 0.0 ? s->least_viscous : s->most_viscous;
+  scene->viscous_n_m_s = s->min_viscous < 0.0 ? s->min_viscous : s->max_viscous;
   scene->linear.viscous_n_m_s = scene->viscous_n_m_s + scene->motor_n_m_s;
   const rot_query query = {1, &scene->linear.start_s, 1.0, 1e-6};
   const size_t n = rot_choice_candidates(&rot_axle_constraint, scene, &query, all);

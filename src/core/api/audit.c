@@ -10,14 +10,15 @@
 
 /* The rows of a run, all columns, and its flows. */
 typedef struct rows {
-  void *column[ROT_MOST_COLUMNS]; /* doubles or flags, in memory of doubles */
-  double *flow[ROT_MOST_FLOWS], flow_error[ROT_MOST_FLOWS];
+  void *column[ROT_MAX_COLUMNS]; /* doubles or flags, in memory of doubles */
+  double *flow[ROT_MAX_FLOWS], flow_error[ROT_MAX_FLOWS];
   double *memory;
 } rows;
 
-static rotdyn_status open_rows(const rot_constraint *c, size_t n, size_t copies, rows *r) {
-  const size_t each = n * copies;
-  if (each / copies != n || each > SIZE_MAX / sizeof(double) / (c->n_columns + c->n_flows + 1)) {
+static rotdyn_status open_rows(const rot_constraint *c, size_t n, size_t rows_per_time, rows *r) {
+  const size_t each = n * rows_per_time;
+  if (each / rows_per_time != n ||
+      each > SIZE_MAX / sizeof(double) / (c->n_columns + c->n_flows + 1)) {
     return ROTDYN_EMEMORY;
   }
   r->memory = malloc((c->n_columns * each + c->n_flows * n + 1) * sizeof *r->memory);
@@ -32,17 +33,17 @@ static rotdyn_status open_rows(const rot_constraint *c, size_t n, size_t copies,
 
 /* The columns at one time, each with its copies. */
 static void cells_of(const rot_constraint *c, const void *scene, const rows *r, size_t row,
-                     size_t copies, double cell[]) {
+                     size_t rows_per_time, double cell[]) {
   const unsigned effects = c->effects_of(scene);
   for (size_t i = 0; i < c->n_columns; i++) {
     const rot_column_of *column = &c->columns[i];
     const int shown = rot_run_shows(c, scene, effects, i);
-    for (size_t k = 0; k < copies; k++) {
-      const size_t at = row * copies + k;
+    for (size_t k = 0; k < rows_per_time; k++) {
+      const size_t at = row * rows_per_time + k;
       const int flag = column->flag ? ((const int *)r->column[i])[at] : 0;
       const double x =
           column->flag ? (flag < 0 ? (double)NAN : flag) : ((const double *)r->column[i])[at];
-      cell[i * copies + k] = shown ? x : (double)NAN;
+      cell[i * rows_per_time + k] = shown ? x : (double)NAN;
     }
   }
 }
@@ -55,13 +56,13 @@ static rotdyn_status run_flows(rot_api_work *w, const void *scene, size_t n, con
   const rot_model *model = ran->picked.model;
   const int all = model->error_kind == ROT_ADAPTIVE;
   const double ends[] = {time_s[0], time_s[n - 1]};
-  const double most = fmin(w->options.max_steps, 1e15);
+  const double max = fmin(w->options.max_steps, 1e15);
   const rot_task task = {.n = all                 ? n
                               : ends[0] < ends[1] ? 2
                                                   : 1,
                          .time_s = all ? time_s : ends,
                          .accuracy = w->options.accuracy,
-                         .max_steps = (size_t)most + n,
+                         .max_steps = (size_t)max + n,
                          .asked = !all || w->options.model};
   const rot_rows want = {.flow = r->flow, .flow_error = r->flow_error};
   rot_outcome o;
@@ -78,7 +79,7 @@ static rotdyn_status run_flows(rot_api_work *w, const void *scene, size_t n, con
 static void fill_balance(const rot_constraint *c, const void *scene, size_t k, const double term[],
                          const double explained[], rotdyn_balance *b) {
   long double sum[3] = {0.0L, 0.0L, 0.0L};
-  const char *why[ROT_MOST_CAUSES];
+  const char *why[ROT_MAX_CAUSES];
   for (size_t i = 0; i < c->n_terms && b->n_terms < 16; i++) {
     const rot_balance_term *of = &c->terms[i];
     const char *words = of->balance == k ? rot_run_term_words(c, scene, i) : NULL;
@@ -103,7 +104,7 @@ static void fill_balance(const rot_constraint *c, const void *scene, size_t k, c
     return;
   }
   size_t used = 0;
-  const size_t causes = c->keeps(scene, k, why);
+  const size_t causes = c->conserved(scene, k, why);
   b->conserved = causes == 0;
   for (size_t i = 0; i < (causes ? causes : 1) && used < sizeof b->why; i++) {
     used += (size_t)snprintf(b->why + used, sizeof b->why - used, "%s%s", i ? "; " : "", why[i]);
@@ -115,13 +116,13 @@ static rotdyn_status audit(rot_api_work *w, size_t n, const double time_s[], siz
   const rot_constraint *c = w->built.constraint;
   const void *scene = w->built.scene;
   rot_store store = {0}; /* of the scene that is solved, where effects are left out */
-  const size_t copies = w->report.copies, cells = c->n_columns * copies;
-  double flow[ROT_MOST_FLOWS], error[ROT_MOST_MEASURES], term[ROT_MOST_TERMS];
-  double explained[ROT_MOST_BALANCES];
+  const size_t rows_per_time = w->report.rows_per_time, cells = c->n_columns * rows_per_time;
+  double flow[ROT_MAX_FLOWS], error[ROT_MAX_MEASURES], term[ROT_MAX_TERMS];
+  double explained[ROT_MAX_BALANCES];
   rot_outcome o;
   rows r = {.memory = NULL};
   double *cell = malloc(2 * cells * sizeof *cell);
-  rotdyn_status status = cell ? open_rows(c, n, copies, &r) : ROTDYN_EMEMORY;
+  rotdyn_status status = cell ? open_rows(c, n, rows_per_time, &r) : ROTDYN_EMEMORY;
   memset(&o, 0, sizeof o);
   if (status == ROTDYN_OK) {
     const rot_rows want = {.column = r.column};
@@ -130,8 +131,8 @@ static rotdyn_status audit(rot_api_work *w, size_t n, const double time_s[], siz
     rot_events_free(&o.events);
   }
   if (status == ROTDYN_OK) {
-    cells_of(c, scene, &r, 0, copies, cell);
-    cells_of(c, scene, &r, n - 1, copies, cell + cells);
+    cells_of(c, scene, &r, 0, rows_per_time, cell);
+    cells_of(c, scene, &r, n - 1, rows_per_time, cell + cells);
     for (size_t i = 0; i < o.info.n_measures; i++) error[i] = o.info.measure[i].error;
     if (o.picked.dropped && c->reduce) {
       void *solved = rot_store_get(&store, 1, c->scene_size);

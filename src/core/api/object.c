@@ -11,7 +11,7 @@
 #include "scene/run.h"
 
 enum {
-  MOST_DEPTH = 16, /* of objects in objects */
+  MAX_DEPTH = 16, /* of objects in objects */
   ONE_NUMBER = ROT_INPUT_NUMBER | ROT_INPUT_LIMIT,
   MANY_NUMBERS = ROT_INPUT_NUMBERS | ROT_INPUT_TIMES | ROT_INPUT_VECTOR | ROT_INPUT_ATTITUDE
 };
@@ -300,7 +300,7 @@ int rotdyn_set_object(rotdyn_object *object, const char *input, const rotdyn_obj
   size_t at;
   const rotdyn_status status = find(object, input, &kinds, &at);
   if (status != ROTDYN_OK) return (int)status;
-  if (!from || from->constraint || from->depth + 1 > MOST_DEPTH) return ROTDYN_EARGUMENT;
+  if (!from || from->constraint || from->depth + 1 > MAX_DEPTH) return ROTDYN_EARGUMENT;
   if (from->part && !(kinds & from->part->makes)) return ROTDYN_EARGUMENT;
   if (is_list(from)) {
     double *x = kinds & MANY_NUMBERS ? numbers_of_list(from) : NULL;
@@ -467,7 +467,7 @@ rotdyn_status rot_api_build(const rotdyn_object *scene, rot_api_built *built,
   if (status == ROT_EVALUE) return refuse(report, built->maker->inputs[no.input].name, no.reason);
   if (status != ROT_OK) return rot_api_status(status);
   report->index = c->index;
-  report->copies = rot_run_copies(c, built->scene);
+  report->rows_per_time = rot_run_rows_per_time(c, built->scene);
   return ROTDYN_OK;
 }
 

@@ -9,7 +9,7 @@
 #include "api/object.h"
 #include "api/structs.h"
 #include "api/work.h"
-#include "ground/share.h"
+#include "ground/parallel.h"
 #include "scene/run.h"
 
 /* ---- candidates ------------------------------------------------------------------------------ */
@@ -17,7 +17,7 @@
 int rotdyn_scene_candidate(const rotdyn_object *scene, size_t n, const double *time_s,
                            const rotdyn_options *options, size_t k, rotdyn_candidate *out) {
   rot_api_work w;
-  rot_candidate all[ROT_MOST_MODELS];
+  rot_candidate all[ROT_MAX_MODELS];
   rotdyn_status status = rot_api_open(scene, n, time_s, options, &w);
   if (status == ROTDYN_OK && !out) status = ROTDYN_EARGUMENT;
   if (status == ROTDYN_OK) {
@@ -33,8 +33,8 @@ int rotdyn_scene_candidate(const rotdyn_object *scene, size_t n, const double *t
 
 /* The caller's columns by their place; flags are written as int, then widened. */
 typedef struct places {
-  void *column[ROT_MOST_COLUMNS];
-  double *flags[ROT_MOST_COLUMNS]; /* the caller's */
+  void *column[ROT_MAX_COLUMNS];
+  double *flags[ROT_MAX_COLUMNS]; /* the caller's */
 } places;
 
 /* The place of each name; ROTDYN_ENAME, or ROTDYN_EARGUMENT: twice. */
@@ -77,7 +77,7 @@ static rotdyn_status place_columns(const rot_constraint *c, size_t rows, size_t 
 }
 
 static void close_columns(places *p, size_t rows) {
-  for (size_t i = 0; i < ROT_MOST_COLUMNS; i++) {
+  for (size_t i = 0; i < ROT_MAX_COLUMNS; i++) {
     const int *flag = p->flags[i] ? p->column[i] : NULL;
     for (size_t k = 0; k < rows && flag; k++) p->flags[i][k] = flag[k] < 0 ? (double)NAN : flag[k];
     if (p->flags[i]) free(p->column[i]);
@@ -91,17 +91,17 @@ int rotdyn_scene_run(const rotdyn_object *scene, size_t n, const double *time_s,
                      const char *const *names, double *const *columns, rotdyn_report *report) {
   rot_api_work w;
   places p;
-  size_t at[ROT_MOST_COLUMNS];
+  size_t at[ROT_MAX_COLUMNS];
   memset(&p, 0, sizeof p);
   rotdyn_status status = rot_api_open(scene, n, time_s, options, &w);
-  if (status == ROTDYN_OK && n_columns > ROT_MOST_COLUMNS) {
+  if (status == ROTDYN_OK && n_columns > ROT_MAX_COLUMNS) {
     status = rot_api_refuse(&w, NULL, "there are more columns than the scene has");
   }
   if (status == ROTDYN_OK) status = find_columns(&w, n_columns, names, columns, at);
-  if (status == ROTDYN_OK && n_columns && room / w.report.copies < n) {
+  if (status == ROTDYN_OK && n_columns && room / w.report.rows_per_time < n) {
     status = rot_api_refuse(&w, NULL, "the columns have no room for the rows of all times");
   }
-  const size_t rows = n * w.report.copies;
+  const size_t rows = n * w.report.rows_per_time;
   if (status == ROTDYN_OK) {
     status = place_columns(w.built.constraint, rows, n_columns, at, columns, &p);
   }
@@ -113,7 +113,7 @@ int rotdyn_scene_run(const rotdyn_object *scene, size_t n, const double *time_s,
     rot_api_events(&o.events, w.options.events);
     rot_events_free(&o.events);
   }
-  close_columns(&p, w.report.rows_done * w.report.copies);
+  close_columns(&p, w.report.rows_done * w.report.rows_per_time);
   return rot_api_close(status, &w, report);
 }
 
@@ -124,9 +124,9 @@ typedef struct many {
   const rot_api_work *w;
   rotdyn_rows_in in;
   rotdyn_rows_out out;
-  size_t place[ROT_MOST_INPUTS]; /* of each input that differs */
-  size_t at[ROT_MOST_COLUMNS];   /* of each column */
-  size_t copies;
+  size_t place[ROT_MAX_INPUTS]; /* of each input that differs */
+  size_t at[ROT_MAX_COLUMNS];   /* of each column */
+  size_t rows_per_time;
 } many;
 
 static double value_of(rotdyn_column column, size_t i) { return column.values[i * column.step]; }
@@ -141,8 +141,8 @@ static unsigned number_kind(const rot_input *input) {
 static rotdyn_status run_row(const many *m, size_t i, void *built, rotdyn_report *report) {
   const rot_constraint *c = m->w->built.constraint;
   const rot_maker *maker = m->w->built.maker;
-  double number[ROT_MOST_INPUTS], *column[ROT_MOST_COLUMNS];
-  rot_given given[ROT_MOST_INPUTS];
+  double number[ROT_MAX_INPUTS], *column[ROT_MAX_COLUMNS];
+  rot_given given[ROT_MAX_INPUTS];
   rot_refusal no;
   rot_store store = {0};
   places p;
@@ -159,7 +159,7 @@ static rotdyn_status run_row(const many *m, size_t i, void *built, rotdyn_report
   rot_status status = rot_run_build(maker, given, &store, built, &no);
   if (status == ROT_OK && !rot_api_possible(c, built, 1, &time_s)) {
     status = rot_refuse(&no, maker->n_inputs, "the time must be finite");
-  } else if (status == ROT_OK && rot_run_copies(c, built) != m->copies) {
+  } else if (status == ROT_OK && rot_run_rows_per_time(c, built) != m->rows_per_time) {
     status = rot_refuse(&no, maker->n_inputs, "the row has another number of %ss", c->index);
   }
   if (status == ROT_EVALUE) {
@@ -168,9 +168,10 @@ static rotdyn_status run_row(const many *m, size_t i, void *built, rotdyn_report
   }
   rotdyn_status ended = rot_api_status(status);
   options.events = NULL;
-  for (size_t k = 0; k < m->out.n_columns; k++) column[k] = m->out.columns[k] + i * m->copies;
+  for (size_t k = 0; k < m->out.n_columns; k++)
+    column[k] = m->out.columns[k] + i * m->rows_per_time;
   if (ended == ROTDYN_OK) {
-    ended = place_columns(c, m->copies, m->out.n_columns, m->at, column, &p);
+    ended = place_columns(c, m->rows_per_time, m->out.n_columns, m->at, column, &p);
   }
   if (ended == ROTDYN_OK) {
     const rot_rows want = {.column = p.column};
@@ -178,10 +179,10 @@ static rotdyn_status run_row(const many *m, size_t i, void *built, rotdyn_report
     ended = rot_api_run(c, built, &options, NULL, 1, &time_s, &want, &o, report);
     rot_events_free(&o.events);
   }
-  close_columns(&p, m->copies);
+  close_columns(&p, m->rows_per_time);
   rot_store_free(&store);
   for (size_t k = 0; k < m->out.n_columns && ended != ROTDYN_OK; k++) {
-    for (size_t j = 0; j < m->copies; j++) column[k][j] = NAN;
+    for (size_t j = 0; j < m->rows_per_time; j++) column[k][j] = NAN;
   }
   return ended;
 }
@@ -194,7 +195,8 @@ static void run_part(const void *frame, size_t first, size_t last) {
     const rotdyn_status status = built ? run_row(m, i, built, &report) : ROTDYN_EMEMORY;
     const int ok = status == ROTDYN_OK;
     for (size_t k = 0; k < m->out.n_columns && !built; k++) {
-      for (size_t j = 0; j < m->copies; j++) m->out.columns[k][i * m->copies + j] = NAN;
+      for (size_t j = 0; j < m->rows_per_time; j++)
+        m->out.columns[k][i * m->rows_per_time + j] = NAN;
     }
     m->out.status[i] = (int)status;
     m->out.error[i] = ok ? report.error : NAN;
@@ -231,7 +233,7 @@ static rotdyn_status open_rows(rot_api_work *w, size_t n, const rotdyn_rows_in *
     }
     m->place[k] = at;
   }
-  m->copies = w->report.copies;
+  m->rows_per_time = w->report.rows_per_time;
   return find_columns(w, m->out.n_columns, m->out.names, m->out.columns, m->at);
 }
 
@@ -240,14 +242,14 @@ static rotdyn_status run_rows(rot_api_work *w, size_t n, int threads, many *m) {
   double *errors = NULL;
   const char **models = NULL;
   rot_info info;
-  if (n > SIZE_MAX / sizeof(double) / m->copies) return ROTDYN_EMEMORY;
+  if (n > SIZE_MAX / sizeof(double) / m->rows_per_time) return ROTDYN_EMEMORY;
   if (!m->out.status) m->out.status = statuses = malloc((n + 1) * sizeof *statuses);
   if (!m->out.error) m->out.error = errors = malloc((n + 1) * sizeof *errors);
   if (!m->out.model) m->out.model = models = malloc((n + 1) * sizeof *models);
   rotdyn_status status = ROTDYN_EMEMORY;
   if (m->out.status && m->out.error && m->out.model) {
     m->w = w;
-    status = rot_api_status(rot_share_rows(run_part, m, n, 16, threads, &w->hooks, &info));
+    status = rot_api_status(rot_parallel_rows(run_part, m, n, 16, threads, &w->hooks, &info));
     w->report.rows_done = info.rows_done;
     w->report.error_is_bound = 0;
     for (size_t i = 0; i < info.rows_done; i++) {
@@ -269,8 +271,8 @@ int rotdyn_scene_rows(const rotdyn_object *scene, size_t n, const rotdyn_rows_in
   rotdyn_status status = rot_api_open(scene, 0, NULL, options, &w);
   if (status == ROTDYN_OK) status = open_rows(&w, n, in, out, &m);
   if (status == ROTDYN_OK) {
-    const double most = rot_api_calls(scene) ? 1.0 : (double)w.options.threads;
-    status = run_rows(&w, n, (int)fmin(fmax(most, 1.0), 4096.0), &m);
+    const double max = rot_api_calls(scene) ? 1.0 : (double)w.options.threads;
+    status = run_rows(&w, n, (int)fmin(fmax(max, 1.0), 4096.0), &m);
   }
   return rot_api_close(status, &w, report);
 }

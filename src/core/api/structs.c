@@ -104,7 +104,7 @@ rotdyn_status rot_api_candidate(const rot_constraint *constraint, const rot_cand
 
 rotdyn_status rot_api_none_fits(const rot_constraint *constraint, const void *scene,
                                 const rot_query *query, size_t size, char text[]) {
-  rot_candidate all[ROT_MOST_MODELS];
+  rot_candidate all[ROT_MAX_MODELS];
   const size_t n = rot_choice_candidates(constraint, scene, query, all);
   double best = INFINITY;
   for (size_t i = 0; i < n; i++) {

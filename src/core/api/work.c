@@ -64,9 +64,9 @@ static void report_run(const rot_constraint *c, const rot_outcome *o, rotdyn_rep
 rotdyn_status rot_api_run(const rot_constraint *c, const void *scene, const rotdyn_options *options,
                           const rot_hooks *hooks, size_t n, const double time_s[],
                           const rot_rows *want, rot_outcome *o, rotdyn_report *report) {
-  const double most = fmin(options->max_steps, 1e15);
+  const double max = fmin(options->max_steps, 1e15);
   const rot_task task = {
-      .n = n, .time_s = time_s, .accuracy = options->accuracy, .max_steps = (size_t)most + n};
+      .n = n, .time_s = time_s, .accuracy = options->accuracy, .max_steps = (size_t)max + n};
   memset(o, 0, sizeof *o);
   const rot_run_end end =
       rot_run(c, scene, options->model, &task, options->law_call_s, want, o, hooks);

@@ -73,9 +73,9 @@ void rot_inertia_rotate(const double r[9], const double c[], double out[]) {
 
 /* n/|n|; scaled first, so that no square leaves the range. */
 static void unit_vector(const double n[3], double u[3]) {
-  const double most = fmax(fmax(fabs(n[0]), fabs(n[1])), fabs(n[2]));
+  const double max = fmax(fmax(fabs(n[0]), fabs(n[1])), fabs(n[2]));
   int e;
-  frexp(most, &e);
+  frexp(max, &e);
   for (int i = 0; i < 3; i++) u[i] = ldexp(n[i], -e);
   const double length = sqrt((u[0] * u[0] + u[1] * u[1]) + u[2] * u[2]);
   for (int i = 0; i < 3; i++) u[i] /= length;
@@ -134,12 +134,12 @@ static void nearest_in_plane(const double v[3], double u[3]) {
 
 static void fix_sign(double axes[9], int k) {
   double v[3];
-  int most = 0;
+  int max = 0;
   get_axis(axes, k, v);
   for (int i = 1; i < 3; i++) {
-    if (fabs(v[i]) > fabs(v[most]) * (1.0 + 1e-8)) most = i;
+    if (fabs(v[i]) > fabs(v[max]) * (1.0 + 1e-8)) max = i;
   }
-  if (v[most] < 0.0) {
+  if (v[max] < 0.0) {
     for (int i = 0; i < 3; i++) v[i] = 0.0 - v[i];
     set_axis(axes, k, v);
   }
@@ -218,11 +218,11 @@ static scales find_scales(size_t n, const rot_inertial part[], const double from
 }
 
 static size_t heaviest(size_t n, const rot_inertial part[]) {
-  size_t most = 0;
+  size_t max = 0;
   for (size_t i = 1; i < n; i++) {
-    if (fabs(part[i].mass_kg) > fabs(part[most].mass_kg)) most = i;
+    if (fabs(part[i].mass_kg) > fabs(part[max].mass_kg)) max = i;
   }
-  return most;
+  return max;
 }
 
 typedef struct running {

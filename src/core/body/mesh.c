@@ -7,7 +7,7 @@
 
 #include "body/mesh_sum.h"
 #include "ground/real.h"
-#include "ground/wide.h"
+#include "ground/simd.h"
 
 void *rot_mesh_alloc(size_t n, size_t size) {
   if (n > SIZE_MAX / size) return NULL;
@@ -47,18 +47,18 @@ size_t rot_mesh_mark_used(const rot_mesh *mesh, unsigned char used[]) {
 
 /* Four independent chains here and below, for instruction parallelism. The top bit of x - 1 or of
  * most - x is set where x is below 1 or above `most`. */
-static unsigned see_corners(const int at[], size_t n, size_t step, unsigned most) {
+static unsigned see_corners(const int at[], size_t n, size_t step, unsigned max) {
   unsigned a = 0, b = 0, c = 0, d = 0;
   size_t i = 0;
   for (; i + 4 <= n; i += 4, at += 4 * step) {
     const unsigned p = (unsigned)at[0], q = (unsigned)at[step], r = (unsigned)at[2 * step],
                    s = (unsigned)at[3 * step];
-    a |= (p - 1U) | (most - p);
-    b |= (q - 1U) | (most - q);
-    c |= (r - 1U) | (most - r);
-    d |= (s - 1U) | (most - s);
+    a |= (p - 1U) | (max - p);
+    b |= (q - 1U) | (max - q);
+    c |= (r - 1U) | (max - r);
+    d |= (s - 1U) | (max - s);
   }
-  for (; i < n; i++, at += step) a |= ((unsigned)at[0] - 1U) | (most - (unsigned)at[0]);
+  for (; i < n; i++, at += step) a |= ((unsigned)at[0] - 1U) | (max - (unsigned)at[0]);
   return (a | b | c | d) >> 31;
 }
 
@@ -196,8 +196,8 @@ static rot_status add_faces(const rot_mesh *mesh, const double centre[3], int sh
     const size_t end = mesh->faces - i < POLL_FACES ? mesh->faces : i + POLL_FACES;
     rot_status status = rot_poll(hooks, (double)i / (double)mesh->faces);
     if (status != ROT_OK) return status;
-    if (rot_wide_ok()) {
-      rot_mesh_sum_wide(mesh, &sums, i, end, shell);
+    if (rot_simd_ok()) {
+      rot_mesh_sum_simd(mesh, &sums, i, end, shell);
     } else {
       sum_faces(mesh, &sums, i, end, shell);
     }
@@ -268,10 +268,10 @@ static double displace_shell(const double sum[SUMS], const integrals *of, const 
 }
 
 /* `most` is the largest coordinate about the point in use. */
-static double rounding(const double sum[SUMS], int shell, const integrals *of, double most,
+static double rounding(const double sum[SUMS], int shell, const integrals *of, double max,
                        double *of_size) {
   const double size = fabs(of->size), u = ROT_EPS * ROUNDINGS, g = sqrt(of->shift);
-  const double of_first = sum[GROSS_SIZE] * sqrt(3.0) * most / (shell ? 2.0 : 8.0);
+  const double of_first = sum[GROSS_SIZE] * sqrt(3.0) * max / (shell ? 2.0 : 8.0);
   const double of_second = sum[GROSS_SECOND] / (shell ? 24.0 : 120.0);
   *of_size = u * sum[GROSS_SIZE] / (shell ? 2.0 : 6.0) / size;
   const double of_shift = 2.0 * g * (u * of_first / size + g * *of_size);
@@ -280,7 +280,7 @@ static double rounding(const double sum[SUMS], int shell, const integrals *of, d
 }
 
 static double farthest(const rot_mesh *mesh, const double origin[3], const double from[3]) {
-  double most = 0.0;
+  double max = 0.0;
   for (size_t i = 0; i < mesh->vertices; i++) {
     if (mesh->used && !mesh->used[i]) continue;
     const size_t at = mesh->same ? mesh->same[i] : i;
@@ -288,9 +288,9 @@ static double farthest(const rot_mesh *mesh, const double origin[3], const doubl
                  y = rot_mesh_at(mesh, at, 1) - origin[1] - from[1],
                  z = rot_mesh_at(mesh, at, 2) - origin[2] - from[2];
     const double square = x * x + y * y + z * z;
-    most = square > most ? square : most;
+    max = square > max ? square : max;
   }
-  return sqrt(most);
+  return sqrt(max);
 }
 
 static double power_of_two(double x, int exponent, int times) {
@@ -315,7 +315,7 @@ static rot_status gather(const rot_mesh *mesh, int shell, const rot_hooks *hooks
 /* Of the scaled mesh, in its units. */
 static rot_status judge(const rot_mesh *mesh, const rot_mesh_box *box, int shell,
                         const rot_hooks *hooks, rot_mesh_moments *out) {
-  double sum[SUMS], origin[3], own[3], last[3], most = 0.0, moved;
+  double sum[SUMS], origin[3], own[3], last[3], max = 0.0, moved;
   integrals of;
   memcpy(origin, box->centre, sizeof origin);
   rot_status status = gather(mesh, shell, hooks, origin, sum, &of);
@@ -323,12 +323,12 @@ static rot_status judge(const rot_mesh *mesh, const rot_mesh_box *box, int shell
   /* Each coordinate relative to the origin has a rounding of its own. */
   for (int k = 0; k < 3; k++) {
     const double side = fmax(box->hi[k] - origin[k], origin[k] - box->lo[k]);
-    most = fmax(most, side);
+    max = fmax(max, side);
     own[k] = ROT_EPS * side;
     last[k] = ROT_EPS * fmax(fabs(box->lo[k]), fabs(box->hi[k]));
     out->centre[k] = origin[k] + of.centre[k];
   }
-  out->error = rounding(sum, shell, &of, most, &out->size_error);
+  out->error = rounding(sum, shell, &of, max, &out->size_error);
   /* The size is zero within rounding, or NaN. */
   if (!(out->size_error < 0.125) || !(of.trace > 0.0)) return ROT_ERANGE;
   double (*const displace)(const double[SUMS], const integrals *, const double[3], double *) =

@@ -28,7 +28,7 @@ typedef struct work {
 enum { POINTS = 64, FIRST_POINTS = 8 };
 
 /* Work budget in box tests (a face costs 16), some seconds: in total, and for each component. */
-static const double most_looks = 4e8, most_looks_each = 2e7;
+static const double max_looks = 4e8, max_looks_each = 2e7;
 
 static void corner_at(const work *w, size_t face, size_t k, double at[3]) {
   const size_t vertex = rot_mesh_corner(w->mesh, face, k);
@@ -140,14 +140,14 @@ static double half_angle(const work *w, size_t face, const double p[3]) {
   (void)cross(r[1], r[2], n);
   const double up = r[0][0] * n[0] + r[0][1] * n[1] + r[0][2] * n[2];
   const double farthest = fmax(fmax(length[0], length[1]), length[2]),
-               least = touching * farthest * farthest * farthest;
+               min = touching * farthest * farthest * farthest;
   double down = length[0] * length[1] * length[2];
   for (int k = 0; k < 3; k++) {
     const double *a = r[k], *b = r[(k + 1) % 3];
     down += (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) * length[(k + 2) % 3];
   }
   /* down is negative over the face, and 0 over its edges and corners. */
-  return down <= least && fabs(up) <= least ? HUGE_VAL : atan2(up, down);
+  return down <= min && fabs(up) <= min ? HUGE_VAL : atan2(up, down);
 }
 
 /* With slack: the centroid of a face that touches the box is rounded. */
@@ -217,7 +217,7 @@ static int place_component(const work *w, size_t self, double *looks, double *ar
   int seen = 0;
   *around = 0.0;
   for (size_t i = 0; i < n && i < POINTS; i++) {
-    if (i >= FIRST_POINTS && *looks - before > most_looks_each) break;
+    if (i >= FIRST_POINTS && *looks - before > max_looks_each) break;
     const double turn = golden * (double)i, place = n > POINTS ? turn - floor(turn) : 0.0;
     const size_t face = w->face[of->begin + (n > POINTS ? (size_t)(place * (double)n) : i)];
     double corner[3][3], p[3];
@@ -261,11 +261,11 @@ static int boxes_meet(const double alo[3], const double ahi[3], const double blo
 /* The side of the plane through a, b, c on which d lies: 0 where six times the volume is at most
  * `least`, the limit for contact. */
 static int side_of(const double a[3], const double b[3], const double c[3], const double d[3],
-                   double least) {
+                   double min) {
   double n[3], volume = 0.0;
   (void)normal_of(a, b, c, n);
   for (int j = 0; j < 3; j++) volume += (d[j] - a[j]) * n[j];
-  return fabs(volume) > least ? (volume > 0.0 ? 1 : -1) : 0;
+  return fabs(volume) > min ? (volume > 0.0 ? 1 : -1) : 0;
 }
 
 static double length_of(const double a[3], const double b[3]) {
@@ -277,12 +277,12 @@ static double length_of(const double a[3], const double b[3]) {
 static int pierces(const double p[3], const double q[3], const sheet *s) {
   const double *a = s->at[0], *b = s->at[1], *c = s->at[2];
   const double line = length_of(p, q), ab = length_of(a, b), bc = length_of(b, c),
-               ca = length_of(c, a), most = fmax(fmax(line, ab), fmax(bc, ca));
-  const double least = touching * most * ab * ca, least_line = touching * most * line;
-  if (side_of(a, b, c, p, least) * side_of(a, b, c, q, least) >= 0) return 0;
-  const int turn = side_of(p, q, a, b, least_line * ab);
-  return turn != 0 && side_of(p, q, b, c, least_line * bc) == turn &&
-         side_of(p, q, c, a, least_line * ca) == turn;
+               ca = length_of(c, a), max = fmax(fmax(line, ab), fmax(bc, ca));
+  const double min = touching * max * ab * ca, min_line = touching * max * line;
+  if (side_of(a, b, c, p, min) * side_of(a, b, c, q, min) >= 0) return 0;
+  const int turn = side_of(p, q, a, b, min_line * ab);
+  return turn != 0 && side_of(p, q, b, c, min_line * bc) == turn &&
+         side_of(p, q, c, a, min_line * ca) == turn;
 }
 
 /* Tests the edges of both faces, and the segments from their centroids to their corners: in
@@ -318,7 +318,7 @@ static int parts_cross(const work *w, const part *a, const part *b, double *look
     *looks += 1.0;
     if (!boxes_meet(one.lo, one.hi, b->lo, b->hi)) continue;
     *looks += 4.0 * (double)n;
-    if (*looks > most_looks) return 0;
+    if (*looks > max_looks) return 0;
     for (size_t j = 0; j < n; j++) {
       if (ends_at(w, j)) return 0;
       see_sheet(w, w->meeting[j], &other);
@@ -330,9 +330,9 @@ static int parts_cross(const work *w, const part *a, const part *b, double *look
 
 static rot_status find_crossings(const work *w) {
   double looks = 0.0;
-  for (size_t i = 1; i < w->components && looks <= most_looks; i++) {
+  for (size_t i = 1; i < w->components && looks <= max_looks; i++) {
     part *a = &w->parts[i];
-    for (size_t j = 0; j < i && looks <= most_looks; j++) {
+    for (size_t j = 0; j < i && looks <= max_looks; j++) {
       part *b = &w->parts[j];
       if (ends_at(w, j)) return *w->stopped;
       looks += 1.0;
@@ -363,7 +363,7 @@ static rot_status judge_parts(const work *w, rot_mesh_nesting *out) {
       out->flat++;
     } else if (w->parts[i].crosses) {
       out->crossing++;
-    } else if (looks > most_looks) {
+    } else if (looks > max_looks) {
       out->unchecked++;
     } else if (!place_component(w, i, &looks, &around)) {
       out->crossing++;

@@ -37,7 +37,7 @@ typedef struct mesh_corners {
 } mesh_corners;
 
 /* A pair of f(lane), without a store and a load. */
-#ifdef ROT_WIDE
+#ifdef ROT_SIMD
 #define ROT_EACH(f) ((rot_pair){f(0), f(1), f(2), f(3)})
 #elif defined(__GNUC__)
 #define ROT_EACH(f) ((rot_pair){f(0), f(1)})
@@ -241,7 +241,7 @@ ROT_INLINE void sum_faces(const rot_mesh *mesh, rot_mesh_sums *sums, size_t from
 }
 
 /* The same for registers of four. */
-void rot_mesh_sum_wide(const rot_mesh *mesh, rot_mesh_sums *sums, size_t from, size_t end,
+void rot_mesh_sum_simd(const rot_mesh *mesh, rot_mesh_sums *sums, size_t from, size_t end,
                        int shell);
 
 #endif

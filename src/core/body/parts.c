@@ -188,12 +188,12 @@ static int read_tensor(const rot_given *given, double t[ROT_TENSOR]) {
   }
   if (n == 3 || n == 6) return (memcpy(t, x, n * sizeof *t), 1);
   if (n != 9) return 0;
-  double most = 0.0;
-  for (int i = 0; i < 9; i++) most = fmax(most, fabs(x[i]));
+  double max = 0.0;
+  for (int i = 0; i < 9; i++) max = fmax(max, fabs(x[i]));
   for (int k = 0; k < ROT_TENSOR; k++) {
     const int i = rot_tensor_row[k], j = rot_tensor_column[k];
     const double a = x[3 * i + j], b = x[3 * j + i];
-    if (!(fabs(a - b) <= 1e-12 * most)) return 0;
+    if (!(fabs(a - b) <= 1e-12 * max)) return 0;
     t[k] = a == b ? a : a / 2.0 + b / 2.0;
   }
   return 1;

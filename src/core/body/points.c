@@ -7,11 +7,11 @@
 
 /* Masses of one band are within 2^300 of each other, so that products that underflow are negligible
  * beside the farthest point of the band. Usually there is one band. */
-#define BAND_BITS     300
+#define BAND_BITS    300
 /* Limit of the exponents, so that the powers of two are doubles. */
-#define MOST_EXPONENT 1000
+#define MAX_EXPONENT 1000
 /* Points between two polls: some milliseconds. */
-#define POLL_POINTS   65536
+#define POLL_POINTS  65536
 
 size_t rot_points_bad(const rot_points *points, int *column) {
   for (size_t i = 0; i < points->n; i++) {
@@ -39,8 +39,8 @@ typedef struct band {
 static int exponent_of(double x) {
   int e = 0;
   (void)frexp(x, &e);
-  if (e > MOST_EXPONENT) return MOST_EXPONENT;
-  return e < -MOST_EXPONENT ? -MOST_EXPONENT : e;
+  if (e > MAX_EXPONENT) return MAX_EXPONENT;
+  return e < -MAX_EXPONENT ? -MAX_EXPONENT : e;
 }
 
 static int in_band(const band *b, double m) { return m > b->above && m <= b->upto; }
@@ -150,11 +150,11 @@ static rot_status settle(const rot_points *points, const rot_hooks *hooks, band 
 static void finish(const band *b, int mass_exponent, rot_moments *out) {
   const double m = b->mass[0];
   const double sums = ROT_EPS + 2.0 * (b->count * ROT_EPS) * (b->count * ROT_EPS);
-  double h[3], h_most = 0.0, a_most = 0.0, c[6];
+  double h[3], h_max = 0.0, a_max = 0.0, c[6];
   for (int k = 0; k < 3; k++) {
     h[k] = b->first[k][0] / m;
-    h_most = fmax(h_most, fabs(h[k]));
-    a_most = fmax(a_most, b->second[k][0]);
+    h_max = fmax(h_max, fabs(h[k]));
+    a_max = fmax(a_max, b->second[k][0]);
     out->centre[k] = rot_two_sum(b->ref[k], ldexp(h[k], b->length_bits), &out->centre_lo[k]);
   }
   for (int k = 0; k < 6; k++) {
@@ -168,13 +168,13 @@ static void finish(const band *b, int mass_exponent, rot_moments *out) {
   const double trace = trace_of(c), kept = trace_of(out->c);
   out->vanished = out->mass < DBL_MIN || (trace > 0.0 && kept < DBL_MIN);
   /* A term m d d has four roundings, a term m d two; |sum m d| <= sqrt(M A). */
-  const double first_error = (2.0 * ROT_EPS + sums) * sqrt(m * a_most);
-  const double off = (4.0 * ROT_EPS + sums) * a_most + 2.0 * h_most * first_error +
-                     4.0 * ROT_EPS * m * h_most * h_most + ROT_EPS * a_most;
+  const double first_error = (2.0 * ROT_EPS + sums) * sqrt(m * a_max);
+  const double off = (4.0 * ROT_EPS + sums) * a_max + 2.0 * h_max * first_error +
+                     4.0 * ROT_EPS * m * h_max * h_max + ROT_EPS * a_max;
   out->error = 0.0;
-  if (a_most > 0.0) out->error = off / trace + (kept > 0.0 ? 0x1p-1074 / kept : 0.0);
-  out->centre_error = ldexp(first_error / m + 4.0 * ROT_EPS * h_most, b->length_bits) + 0x1p-1074;
-  if (!(a_most > 0.0)) out->centre_error = 0.0;
+  if (a_max > 0.0) out->error = off / trace + (kept > 0.0 ? 0x1p-1074 / kept : 0.0);
+  out->centre_error = ldexp(first_error / m + 4.0 * ROT_EPS * h_max, b->length_bits) + 0x1p-1074;
+  if (!(a_max > 0.0)) out->centre_error = 0.0;
 }
 
 /* ---- all bands ------------------------------------------------------------------------------ */
@@ -193,17 +193,17 @@ static rot_status mean_of(const rot_points *points, const rot_hooks *hooks, rot_
 }
 
 rot_status rot_points_moments(const rot_points *points, const rot_hooks *hooks, rot_moments *out) {
-  double least = DBL_MAX, most = 0.0;
+  double min = DBL_MAX, max = 0.0;
   const rot_moments none = {0};
   *out = none;
   for (size_t i = 0; i < points->n; i++) {
     const double m = rot_at(points->mass, i);
-    if (m > 0.0 && m < least) least = m;
-    if (m > most) most = m;
+    if (m > 0.0 && m < min) min = m;
+    if (m > max) max = m;
   }
   if (points->n == 0) return ROT_OK;
-  if (!(most > 0.0)) return mean_of(points, hooks, out);
-  for (double upto = most; upto >= least; upto = ldexp(upto, -BAND_BITS)) {
+  if (!(max > 0.0)) return mean_of(points, hooks, out);
+  for (double upto = max; upto >= min; upto = ldexp(upto, -BAND_BITS)) {
     band b = {.above = ldexp(upto, -BAND_BITS), .upto = upto, .mass_bits = exponent_of(upto)};
     rot_moments here = none, sum = *out;
     rot_status status = find_box(points, &b);
@@ -227,16 +227,16 @@ void rot_moments_join(const rot_moments *a, const rot_moments *b, rot_moments *o
     return;
   }
   const rot_moments p = *a, q = *b; /* out may be one of them */
-  const double share = 1.0 / (1.0 + p.mass / q.mass);
+  const double fraction = 1.0 / (1.0 + p.mass / q.mass);
   const double less = fmin(p.mass, q.mass), reduced = less / (1.0 + less / fmax(p.mass, q.mass));
-  double d[3], d_most = 0.0;
+  double d[3], d_max = 0.0;
   for (int k = 0; k < 3; k++) {
     double lo, step_lo, step;
     d[k] = rot_two_sum(q.centre[k], -p.centre[k], &lo);
     lo += q.centre_lo[k] - p.centre_lo[k];
     d[k] += lo;
-    d_most = fmax(d_most, fabs(d[k]));
-    step = rot_two_sum(p.centre[k], share * d[k], &step_lo);
+    d_max = fmax(d_max, fabs(d[k]));
+    step = rot_two_sum(p.centre[k], fraction * d[k], &step_lo);
     out->centre[k] = rot_two_sum(step, step_lo + p.centre_lo[k], &out->centre_lo[k]);
   }
   for (int k = 0; k < 6; k++) {
@@ -245,18 +245,18 @@ void rot_moments_join(const rot_moments *a, const rot_moments *b, rot_moments *o
   }
   const double trace = trace_of(out->c);
   /* Points at different places have a moment, even if it underflows. */
-  out->vanished = p.vanished | q.vanished | (d_most > 0.0 && trace < DBL_MIN);
+  out->vanished = p.vanished | q.vanished | (d_max > 0.0 && trace < DBL_MIN);
   out->mass = p.mass + q.mass;
   out->mass_error = fmax(p.mass_error, q.mass_error) + ROT_EPS;
   const double slip = p.centre_error + q.centre_error;
-  out->centre_error = fmax(p.centre_error, q.centre_error) + 4.0 * ROT_EPS * share * d_most;
+  out->centre_error = fmax(p.centre_error, q.centre_error) + 4.0 * ROT_EPS * fraction * d_max;
   if (!(trace > 0.0)) {
     out->error = 0.0;
     return;
   }
-  const double apart[3] = {reduced, d_most, d_most}, slipped[3] = {reduced, 2.0 * d_most, slip};
+  const double difference[3] = {reduced, d_max, d_max}, slipped[3] = {reduced, 2.0 * d_max, slip};
   out->error = p.error * (trace_of(p.c) / trace) + q.error * (trace_of(q.c) / trace) +
-               (12.0 * ROT_EPS + p.mass_error + q.mass_error) * rot_product(3, apart, trace) +
+               (12.0 * ROT_EPS + p.mass_error + q.mass_error) * rot_product(3, difference, trace) +
                rot_product(3, slipped, trace) + 2.0 * ROT_EPS;
 }
 
@@ -268,13 +268,13 @@ rot_status rot_moments_check(const rot_moments *moments) {
 }
 
 double rot_points_reach(const rot_points *points, const rot_moments *moments) {
-  double most = 0.0;
+  double max = 0.0;
   for (size_t i = 0; i < points->n; i++) {
     double r = 0.0;
     for (int k = 0; k < 3; k++) {
       r = hypot(r, rot_at(points->x[k], i) - moments->centre[k] - moments->centre_lo[k]);
     }
-    if (!(r <= most)) most = r;
+    if (!(r <= max)) max = r;
   }
-  return most * (1.0 + 8.0 * ROT_EPS) + moments->centre_error;
+  return max * (1.0 + 8.0 * ROT_EPS) + moments->centre_error;
 }

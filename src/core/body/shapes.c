@@ -27,12 +27,12 @@ rot_shape_fault rot_shape_check(const rot_shape *shape, const double size[], int
 }
 
 /* Exponent of the ratio of sizes above which each needs a scale of its own. */
-#define WIDE 400
+#define SIMD 400
 
 /* Scales the sizes to near 1 and returns the exponent. Between 2^-60 and 2^60 no form of
  * body/shapes_geometry.c leaves the range: no scaling. */
 static int scale_sizes(const rot_shape *shape, const double size[], double scaled[ROT_SIZES],
-                       int *wide) {
+                       int *simd) {
   double big = 0.0, small = 1.0;
   for (int k = 0; k < shape->sizes; k++) {
     const double a = fabs(size[k]);
@@ -41,12 +41,12 @@ static int scale_sizes(const rot_shape *shape, const double size[], double scale
     if (a > big) big = a;
     if (a > 0.0 && a < small) small = a;
   }
-  int e = 0, least = 0;
-  *wide = 0;
+  int e = 0, min = 0;
+  *simd = 0;
   if ((big <= 0x1p60 && small >= 0x1p-60) || !(big > 0.0) || isinf(big)) return 0;
   (void)frexp(big, &e);
-  (void)frexp(small, &least);
-  *wide = e - least > WIDE;
+  (void)frexp(small, &min);
+  *simd = e - min > SIMD;
   for (int k = 0; k < shape->sizes; k++) {
     if (rot_size_at((int)shape->size[k])->kind != ROT_KIND_COUNT) scaled[k] = ldexp(size[k], -e);
   }
@@ -81,7 +81,7 @@ static void widen(const rot_shape *shape, const double size[], scaled_geometry *
     (void)frexp(size[j], &e);
     if (rot_size_at((int)shape->size[j])->kind == ROT_KIND_COUNT || !(fabs(size[j]) > 0.0))
       continue;
-    if (g->e - e <= WIDE) continue;
+    if (g->e - e <= SIMD) continue;
     for (int k = 0; k < shape->sizes; k++) {
       const int counts = rot_size_at((int)shape->size[k])->kind == ROT_KIND_COUNT;
       scaled[k] = counts ? size[k] : fmax(fmin(ldexp(size[k], -e), 0x1p400), -0x1p400);
@@ -99,11 +99,11 @@ static void widen(const rot_shape *shape, const double size[], scaled_geometry *
 
 static void geometry_of(const rot_shape *shape, const double size[], scaled_geometry *g) {
   double scaled[ROT_SIZES] = {0.0};
-  int wide;
-  g->e = scale_sizes(shape, size, scaled, &wide);
+  int simd;
+  g->e = scale_sizes(shape, size, scaled, &simd);
   shape->geometry(scaled, &g->is);
   for (int k = 0; k < 3; k++) g->of[k] = g->e;
-  if (wide) widen(shape, size, g);
+  if (simd) widen(shape, size, g);
 }
 
 static double second_of(const scaled_geometry *g, double mass, int k) {

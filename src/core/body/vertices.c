@@ -15,14 +15,14 @@ typedef struct corner {
 /* Exponent of the largest coordinate difference; computed from halves, since the difference may
  * overflow. */
 static int exponent_of(size_t n, int dimension, const double v[]) {
-  double most = 0.0;
+  double max = 0.0;
   int e = 0;
   for (int d = 0; d < dimension; d++) {
     for (size_t i = 1; i < n; i++) {
-      most = fmax(most, fabs(v[(size_t)d * n + i] / 2.0 - v[(size_t)d * n] / 2.0));
+      max = fmax(max, fabs(v[(size_t)d * n + i] / 2.0 - v[(size_t)d * n] / 2.0));
     }
   }
-  (void)frexp(most, &e);
+  (void)frexp(max, &e);
   return e + 1;
 }
 

@@ -8,15 +8,16 @@
 
 /* code, name as R shows it. Listed once, here. */
 #define ROT_EVENT_LIST(X)                                                                          \
-  X(ROT_EVENT_STICK, "stick")                /* comes to rest and is held there */                 \
-  X(ROT_EVENT_SLIP, "slip")                  /* breaks loose from rest */                          \
-  X(ROT_EVENT_REVERSE, "reverse")            /* passes through rest */                             \
-  X(ROT_EVENT_LOCK, "lock")                  /* a clutch locks */                                  \
-  X(ROT_EVENT_ROLL, "roll")                  /* slip of a contact ends, rolling begins */          \
-  X(ROT_EVENT_FLIP, "flip")                  /* the middle axis of a tumbling body turns over */   \
-  X(ROT_EVENT_HIGHEST, "highest")            /* the centre of mass of a top turns back, highest */ \
-  X(ROT_EVENT_LOWEST, "lowest")              /* or lowest */                                       \
-  X(ROT_EVENT_SLIP_REVERSES, "slip_reverse") /* slip of a contact changes its sign, without grip */
+  X(ROT_EVENT_STICK, "stick")     /* comes to rest and is held there */                            \
+  X(ROT_EVENT_SLIP, "slip")       /* breaks loose from rest */                                     \
+  X(ROT_EVENT_REVERSE, "reverse") /* passes through rest */                                        \
+  X(ROT_EVENT_LOCK, "lock")       /* a clutch locks */                                             \
+  X(ROT_EVENT_ROLL, "roll")       /* slip of a contact ends, rolling begins */                     \
+  X(ROT_EVENT_FLIP, "flip")       /* the middle axis of a tumbling body turns over */              \
+  X(ROT_EVENT_HIGHEST, "highest") /* the centre of mass of a top turns back, highest */            \
+  X(ROT_EVENT_LOWEST, "lowest")   /* or lowest */                                                  \
+  X(ROT_EVENT_SLIP_REVERSES,                                                                       \
+    "slip_reverse") /* slip of a contact changes its sign, without sticking */
 
 typedef enum rot_event {
 #define X(code, name) code,

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-const char *const rot_most_static[] = {"static_friction", NULL};
+const char *const rot_max_static[] = {"static_friction", NULL};
 
 size_t rot_input_named(size_t n, const rot_input inputs[], const char *name) {
   size_t i = 0;
@@ -36,7 +36,7 @@ void rot_refused_in(rot_refusal *refusal, const char *format, ...) {
   refusal->reason[sizeof refusal->reason - 1] = '\0';
 }
 
-size_t rot_input_arguments(const rot_input *input, size_t size[ROT_MOST_LAW_ARGUMENTS]) {
+size_t rot_input_arguments(const rot_input *input, size_t size[ROT_MAX_LAW_ARGUMENTS]) {
   size_t n = 1;
   size[0] = size[1] = size[2] = 1;
   if (!input->options) return 3;
@@ -50,7 +50,7 @@ size_t rot_input_arguments(const rot_input *input, size_t size[ROT_MOST_LAW_ARGU
 size_t rot_input_values(const rot_input *input) { return input->kinds & ROT_INPUT_VECTOR ? 3 : 1; }
 
 /* The input that is the default of this one, and the most it may be; this one: none. */
-static size_t most_of(const rot_input inputs[], size_t input) {
+static size_t max_of(const rot_input inputs[], size_t input) {
   const int one = (inputs[input].kinds & (ROT_INPUT_NUMBER | ROT_INPUT_LIMIT)) != 0;
   return one && inputs[input].options ? rot_input_named(input, inputs, inputs[input].options[0])
                                       : input;
@@ -58,8 +58,8 @@ static size_t most_of(const rot_input inputs[], size_t input) {
 
 double rot_input_number(const rot_input inputs[], const rot_given given[], size_t input) {
   if (given[input].x) return given[input].x[0];
-  const size_t most = most_of(inputs, input);
-  return most < input ? rot_input_number(inputs, given, most) : inputs[input].otherwise;
+  const size_t max = max_of(inputs, input);
+  return max < input ? rot_input_number(inputs, given, max) : inputs[input].otherwise;
 }
 
 void rot_input_numbers(size_t n, const rot_input inputs[], const rot_given given[], double x[]) {
@@ -77,11 +77,11 @@ static double sum_of_squares(const double x[3]) {
 }
 
 int rot_input_axis(const double x[3], double axis[3]) {
-  double most = 0.0;
-  for (int i = 0; i < 3; i++) most = fmax(most, fabs(axis[i] = x[i]));
-  if (most == 0.0) return 0;
+  double max = 0.0;
+  for (int i = 0; i < 3; i++) max = fmax(max, fabs(axis[i] = x[i]));
+  if (max == 0.0) return 0;
   if (fabs(sum_of_squares(axis) - 1.0) <= 4.0 * DBL_EPSILON) return 1;
-  for (int i = 0; i < 3; i++) axis[i] /= most;
+  for (int i = 0; i < 3; i++) axis[i] /= max;
   const double length = sqrt(sum_of_squares(axis));
   for (int i = 0; i < 3; i++) axis[i] /= length;
   return 1;
@@ -143,14 +143,14 @@ static rot_status check_times(size_t at, const rot_given *given, rot_refusal *re
 }
 
 static rot_status check_numbers(size_t at, size_t n, const rot_given *given, rot_refusal *refusal) {
-  double most = 0.0;
+  double max = 0.0;
   if (given->n != n)
     return rot_refuse(refusal, at, "must have %zu numbers; it has %zu", n, given->n);
   for (size_t i = 0; i < n; i++) {
     if (!isfinite(given->x[i])) return rot_refuse(refusal, at, "must be finite");
-    most = fmax(most, fabs(given->x[i]));
+    max = fmax(max, fabs(given->x[i]));
   }
-  if (n == 4 && most == 0.0) return rot_refuse(refusal, at, "must not be 0");
+  if (n == 4 && max == 0.0) return rot_refuse(refusal, at, "must not be 0");
   return ROT_OK;
 }
 
@@ -210,10 +210,10 @@ rot_status rot_inputs_check(size_t n, const rot_input inputs[], const rot_given 
       status = rot_refuse(refusal, i, "is missing: it has no default");
     }
     if (status != ROT_OK || !given[i].is || given[i].n != 1) continue;
-    const size_t most = most_of(inputs, i);
-    if (most < i && given[i].x[0] > rot_input_number(inputs, given, most)) {
-      status = rot_refuse(refusal, i, "must be at most `%s`, %g; it is %g", inputs[most].name,
-                          rot_input_number(inputs, given, most), given[i].x[0]);
+    const size_t max = max_of(inputs, i);
+    if (max < i && given[i].x[0] > rot_input_number(inputs, given, max)) {
+      status = rot_refuse(refusal, i, "must be at most `%s`, %g; it is %g", inputs[max].name,
+                          rot_input_number(inputs, given, max), given[i].x[0]);
     }
   }
   return status;

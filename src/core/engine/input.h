@@ -5,7 +5,7 @@
 
 #include "ground/status.h"
 
-enum { ROT_MOST_INPUTS = 32 };
+enum { ROT_MAX_INPUTS = 32 };
 
 /* An input takes one kind, or one of several: a mask. Those from ROT_INPUT_BODY on, but for a law,
  * are objects: what a part of this kind builds (engine/part.h). */
@@ -59,7 +59,7 @@ typedef struct rot_input {
 #define ROT_NO_DOMAIN -DBL_MAX, DBL_MAX, 0
 
 /* The options of kinetic friction. */
-extern const char *const rot_most_static[];
+extern const char *const rot_max_static[];
 
 /* Of a body as an input. */
 typedef struct rot_given_body {
@@ -112,8 +112,8 @@ rot_status rot_refuse(rot_refusal *refusal, size_t input, const char *format, ..
 void rot_refused_in(rot_refusal *refusal, const char *format, ...);
 
 /* How many numbers each argument of a law has, the time the first; returns their count. */
-enum { ROT_MOST_LAW_ARGUMENTS = 4 };
-size_t rot_input_arguments(const rot_input *input, size_t size[ROT_MOST_LAW_ARGUMENTS]);
+enum { ROT_MAX_LAW_ARGUMENTS = 4 };
+size_t rot_input_arguments(const rot_input *input, size_t size[ROT_MAX_LAW_ARGUMENTS]);
 /* How many numbers the law gives: three where the input takes vectors, else one. */
 size_t rot_input_values(const rot_input *input);
 

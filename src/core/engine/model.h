@@ -9,7 +9,7 @@
 #include "engine/resistance.h"
 #include "ground/store.h"
 
-enum { ROT_MOST_EFFECTS = 16, ROT_MOST_MODELS = 16, ROT_MOST_COLUMNS = 64 };
+enum { ROT_MAX_EFFECTS = 16, ROT_MAX_MODELS = 16, ROT_MAX_COLUMNS = 64 };
 
 /* Effect i is bit 1 << i of a mask. Each constraint has its own list: two may share a name. */
 typedef struct rot_effect {
@@ -29,10 +29,10 @@ typedef struct rot_query {
 /* Largest change when effects are ignored, up to until_s. Inf: no bound. */
 typedef struct rot_drop {
   double until_s;
-  double bound[ROT_MOST_MEASURES]; /* absolute, of each measure */
-  double error;                    /* the worst, relative to the size of the motion */
-  double each[ROT_MOST_EFFECTS];   /* of omega, relative, effect by effect */
-  const char *why_not;             /* the model's reason against the scene without them, or NULL */
+  double bound[ROT_MAX_MEASURES]; /* absolute, of each measure */
+  double error;                   /* the worst, relative to the size of the motion */
+  double each[ROT_MAX_EFFECTS];   /* of omega, relative, effect by effect */
+  const char *why_not;            /* the model's reason against the scene without them, or NULL */
 } rot_drop;
 
 /* An adaptive model's error is an estimate that follows the accuracy asked for. */
@@ -114,7 +114,7 @@ typedef struct rot_model_run {
 
 /* ---- balances -------------------------------------------------------------------------------- */
 
-enum { ROT_MOST_FLOWS = 16, ROT_MOST_TERMS = 24, ROT_MOST_BALANCES = 8, ROT_MOST_CAUSES = 8 };
+enum { ROT_MAX_FLOWS = 16, ROT_MAX_TERMS = 24, ROT_MAX_BALANCES = 8, ROT_MAX_CAUSES = 8 };
 
 /* change = supplied - dissipated, of one quantity; `about`: the point or axis of a momentum. */
 typedef struct rot_balance {
@@ -158,9 +158,9 @@ typedef struct rot_maker {
 
 /* How fast a motion goes: the shortest time in which a transient fades (Inf: none), the fastest
  * swing. */
-typedef struct rot_pace {
+typedef struct rot_time_scales {
   double fades_s, swing_rad_per_s;
-} rot_pace;
+} rot_time_scales;
 
 typedef struct rot_constraint {
   const char *id;
@@ -184,7 +184,7 @@ typedef struct rot_constraint {
   double (*start_s)(const void *scene);
   const char *index; /* of the rows at one time, a column of R's from 1 on; NULL: one row a time */
   const char *between; /* what couples these copies, for the places of events; NULL: no such */
-  size_t (*copies)(const void *scene); /* how many these are; NULL: 1 */
+  size_t (*rows_per_time)(const void *scene); /* how many these are; NULL: 1 */
   size_t n_flows, n_balances, n_terms;
   const char *const *flows; /* names */
   const rot_balance *balances;
@@ -197,8 +197,9 @@ typedef struct rot_constraint {
   /* NULL, or what errors explain of each balance, where they are known better than so. */
   void (*explain)(const void *scene, const rot_span *span, const double term[], double explained[]);
   /* How many causes change the quantity of a balance, and which; 0: it is conserved, and why. */
-  size_t (*keeps)(const void *scene, size_t balance, const char *why[ROT_MOST_CAUSES]);
-  void (*pace)(const void *scene, const double sizes[], rot_pace *pace); /* sizes of measures */
+  size_t (*conserved)(const void *scene, size_t balance, const char *why[ROT_MAX_CAUSES]);
+  void (*time_scales)(const void *scene, const double sizes[],
+                      rot_time_scales *time_scales); /* sizes of measures */
   /* NULL, or the times where what acts jumps or kinks, increasing, beside those of its inputs. */
   const double *(*breaks)(const void *scene, size_t *n);
   int event_rows; /* its runs fill rot_rows.at_events */
@@ -226,6 +227,6 @@ typedef struct rot_constraint {
   .scene_size = sizeof(name), .start_s = start_s, .n_columns = ROT_COUNT(columns),                 \
   .columns = columns, .n_flows = ROT_COUNT(flows), .flows = flows,                                 \
   .n_balances = ROT_COUNT(balances), .balances = balances, .n_terms = ROT_COUNT(terms),            \
-  .terms = terms, .audit = audit, .keeps = keeps, .pace = pace
+  .terms = terms, .audit = audit, .conserved = conserved, .time_scales = time_scales
 
 #endif

@@ -1,7 +1,7 @@
 /* Two doubles in a register, where the compiler has vector types. At -O2 it vectorises few loops
  * itself: 38 against 19 ns a row for the phi functions, 13 against 6 for the rolling table.
  *
- * A file that first defines ROT_WIDE gets registers of four (ground/wide.h), one that defines
+ * A file that first defines ROT_WIDE gets registers of four (ground/simd.h), one that defines
  * ROT_ALONE plain doubles. All lanes go through the same operations, so the width changes no bit.
  * Arithmetic takes a number for a register of equal ones. */
 #ifndef ROT_PAIR_H
@@ -10,7 +10,7 @@
 #include <math.h>
 #include <string.h>
 
-#ifdef ROT_WIDE
+#ifdef ROT_SIMD
 #include <immintrin.h>
 #elif defined(__SSE2__)
 #include <emmintrin.h>
@@ -18,9 +18,9 @@
 
 #include "ground/ieee.h"
 
-#ifdef ROT_WIDE_FMA
+#ifdef ROT_SIMD_FMA
 #define ROT_TARGET __attribute__((target("avx2,fma")))
-#elif defined(ROT_WIDE)
+#elif defined(ROT_SIMD)
 #define ROT_TARGET __attribute__((target("avx2")))
 #else
 #define ROT_TARGET
@@ -34,7 +34,7 @@
 #define ROT_ALONE
 #endif
 
-#ifdef ROT_WIDE
+#ifdef ROT_SIMD
 enum { ROT_PAIR = 4 };
 #define ROT_BOTH(x) ((rot_pair){(x), (x), (x), (x)})
 #elif defined(ROT_ALONE)
@@ -92,7 +92,7 @@ ROT_INLINE int rot_pair_count_more(rot_pair p, rot_pair q) { return p > q; }
 
 /* The compiler does not vectorise sqrt(), which may set errno. */
 ROT_INLINE rot_pair rot_pair_sqrt(rot_pair x) {
-#ifdef ROT_WIDE
+#ifdef ROT_SIMD
   return _mm256_sqrt_pd(x);
 #elif defined(__SSE2__)
   return _mm_sqrt_pd(x);
@@ -107,7 +107,7 @@ ROT_INLINE rot_pair rot_pair_abs(rot_pair x) {
 
 /* x where p > q, y elsewhere. */
 ROT_INLINE rot_pair rot_pair_if_more(rot_pair p, rot_pair q, rot_pair x, rot_pair y) {
-#ifdef ROT_WIDE
+#ifdef ROT_SIMD
   return _mm256_blendv_pd(y, x, _mm256_cmp_pd(p, q, _CMP_GT_OQ));
 #elif defined(__SSE2__)
   const __m128d is = _mm_cmpgt_pd(p, q);
@@ -120,7 +120,7 @@ ROT_INLINE rot_pair rot_pair_if_more(rot_pair p, rot_pair q, rot_pair x, rot_pai
 
 /* The larger of two; a NaN in x is ignored, a NaN in y is returned (maxpd). */
 ROT_INLINE rot_pair rot_pair_max(rot_pair x, rot_pair y) {
-#ifdef ROT_WIDE
+#ifdef ROT_SIMD
   return _mm256_max_pd(x, y);
 #elif defined(__SSE2__)
   return _mm_max_pd(x, y);
@@ -131,7 +131,7 @@ ROT_INLINE rot_pair rot_pair_max(rot_pair x, rot_pair y) {
 
 /* The number of lanes with p > q. */
 ROT_INLINE int rot_pair_count_more(rot_pair p, rot_pair q) {
-#ifdef ROT_WIDE
+#ifdef ROT_SIMD
   const int bits = _mm256_movemask_pd(_mm256_cmp_pd(p, q, _CMP_GT_OQ));
   return (bits & 1) + (bits >> 1 & 1) + (bits >> 2 & 1) + (bits >> 3);
 #elif defined(__SSE2__)

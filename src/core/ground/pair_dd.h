@@ -30,7 +30,7 @@ ROT_INLINE rot_pair_dd rot_pair_dd_sum2(rot_pair a, rot_pair b) {
  * same. */
 ROT_INLINE rot_pair_dd rot_pair_dd_mul2(rot_pair a, rot_pair b) {
   const rot_pair p = a * b;
-#ifdef ROT_WIDE_FMA
+#ifdef ROT_SIMD_FMA
   return (rot_pair_dd){p, _mm256_fmsub_pd(a, b, p)};
 #elif defined(__FP_FAST_FMA) || defined(FP_FAST_FMA)
   double x[ROT_PAIR], y[ROT_PAIR], lo[ROT_PAIR];

@@ -54,7 +54,7 @@ typedef struct rot_measure {
   double high, low; /* extreme values, by models that call rot_note_state(); else -Inf and Inf */
 } rot_measure;
 
-enum { ROT_MOST_MEASURES = 8 };
+enum { ROT_MAX_MEASURES = 8 };
 
 /* The measures of bodies that turn about a fixed axis; the list of names ends with NULL. */
 enum { ROT_THETA, ROT_OMEGA };
@@ -73,7 +73,7 @@ typedef struct rot_info {
   double step_s;     /* the length of steps that is fixed; else 0 */
   size_t n_measures;
   const char *const *measure_names;
-  rot_measure measure[ROT_MOST_MEASURES];
+  rot_measure measure[ROT_MAX_MEASURES];
 } rot_info;
 
 const char *rot_method_name(rot_method method);

@@ -6,8 +6,8 @@
 
 #include "ground/ieee.h"
 
-/* Begin with {0}: blocks of calloc(), which rot_store_free() frees. A caller with memory of its own
- * that ends by itself sets `take`: so many bytes, or NULL. */
+/* Begin with {0}: blocks of calloc(), which rot_store_free() frees. A caller whose own memory is
+ * freed elsewhere sets `take`: so many bytes, or NULL. */
 typedef struct rot_store {
   void *last;
   void *(*take)(size_t bytes);

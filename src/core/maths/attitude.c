@@ -13,18 +13,18 @@ int rot_attitude_numbers(rot_attitude_form form) {
 
 /* Length of n numbers, without over- or underflow. */
 static double length_of(int n, const double x[]) {
-  double most = 0.0, sum = 0.0;
+  double max = 0.0, sum = 0.0;
   int e;
   for (int i = 0; i < n; i++) {
     if (isnan(x[i])) return NAN;
-    most = fmax(most, fabs(x[i]));
+    max = fmax(max, fabs(x[i]));
   }
-  if (most == 0.0 || isinf(most)) return most;
-  if (most > 1e-100 && most < 1e100) { /* the bits of the sum below */
+  if (max == 0.0 || isinf(max)) return max;
+  if (max > 1e-100 && max < 1e100) { /* the bits of the sum below */
     for (int i = 0; i < n; i++) sum += x[i] * x[i];
     return sqrt(sum);
   }
-  (void)frexp(most, &e);
+  (void)frexp(max, &e);
   for (int i = 0; i < n; i++) {
     const double scaled = ldexp(x[i], -e);
     sum += scaled * scaled;
@@ -176,9 +176,9 @@ static double from_matrix(const double x[9], double q[4]) {
   const double off = off_rotation(x, near), *r = off > 16.0 * ROT_EPS ? near : x;
   const double trace = r[0] + r[4] + r[8];
   int at = -1;
-  double most = trace;
+  double max = trace;
   for (int i = 0; i < 3; i++) {
-    if (r[4 * i] > most) most = r[4 * (at = i)];
+    if (r[4 * i] > max) max = r[4 * (at = i)];
   }
   if (at < 0) {
     q[0] = 1.0 + trace;

@@ -18,7 +18,7 @@ typedef enum rot_attitude_form {
   ROT_FORM_COUNT
 } rot_attitude_form;
 
-enum { ROT_FORM_MOST = 9 };
+enum { ROT_FORM_MAX = 9 };
 
 /* How many numbers a form has. */
 int rot_attitude_numbers(rot_attitude_form form);

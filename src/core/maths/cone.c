@@ -6,7 +6,7 @@
 
 #include "maths/eigen.h"
 
-enum { ROWS = ROT_CONE_ROWS, MOST_STEPS = 400 };
+enum { ROWS = ROT_CONE_ROWS, MAX_STEPS = 400 };
 
 /* Beyond it friction is that of a half-space: so says the linear program, too. */
 static const double rough = 1e6;
@@ -16,7 +16,7 @@ static const double rough = 1e6;
 static const double beyond = 1e13, late = 1e8;
 
 /* What blur may leave of an equation, of |c|. */
-static const double most_blur = 1e-9;
+static const double max_blur = 1e-9;
 
 static rot_dd zero(void) { return (rot_dd){0.0, 0.0}; }
 
@@ -146,7 +146,7 @@ static void evaluate(const rot_cone *cone, state *s) {
       gap = rot_dd_add(gap, rot_dd_mul(cone->b[j * m + i], s->x[j]));
       blur += cone->blur[j * m + i] * fabs(s->x[j].hi);
     }
-    const double allowed = cone->slack[i] + fmin(blur, most_blur * load);
+    const double allowed = cone->slack[i] + fmin(blur, max_blur * load);
     s->gap[i] = gap;
     s->size = hypot(s->size, gap.hi);
     if (fabs(gap.hi) > 0.0) s->excess = fmax(s->excess, fabs(gap.hi) / allowed);
@@ -219,7 +219,7 @@ static rot_status iterate(const rot_cone *cone, state *now, state *next, double 
   for (size_t i = 0; i < cone->m; i++) reach = hypot(reach, cone->c[i].hi);
   *result = ROT_CONE_STOPPED;
   evaluate(cone, now);
-  for (int step = 0; step < MOST_STEPS; step++) {
+  for (int step = 0; step < MAX_STEPS; step++) {
     if (now->excess <= 1.0) *result = ROT_CONE_FOUND;
     if (!(now->size > 0.0) || (*result == ROT_CONE_FOUND && more-- == 0)) return ROT_OK;
     if (*result != ROT_CONE_FOUND && now->gain > (step < 100 ? beyond : late) * now->norm * reach) {

@@ -37,11 +37,11 @@ void rot_dense_free(rot_dense *d) {
 
 /* The next node outward from i that is not too near to it: steps that grew out of tiny ones would
  * magnify the rounding of their values (1e4 times for a growth of 5 a step). d->count: none. */
-static size_t next_node(const rot_dense *d, size_t i, int rightward, double least) {
+static size_t next_node(const rot_dense *d, size_t i, int rightward, double min) {
   const double here = rot_dense_node(d, i)[0];
   while (rightward ? i + 1 < d->count : i > 0) {
     i = rightward ? i + 1 : i - 1;
-    if (fabs(rot_dense_node(d, i)[0] - here) >= least) return i;
+    if (fabs(rot_dense_node(d, i)[0] - here) >= min) return i;
   }
   return d->count;
 }
@@ -58,26 +58,26 @@ static void take_node(rot_dense_form *form, const rot_dense *d, size_t i, size_t
 
 rot_dense_form rot_dense_between(const rot_dense *d, size_t i, size_t component) {
   rot_dense_form form;
-  const size_t each = d->slopes ? 2 : 1, most = d->slopes ? ROT_DENSE_NODES : ROT_DENSE_VALUES;
+  const size_t each = d->slopes ? 2 : 1, max = d->slopes ? ROT_DENSE_NODES : ROT_DENSE_VALUES;
   memset(&form, 0, sizeof form);
   form.start = rot_dense_node(d, i)[0];
   form.width = rot_dense_node(d, i + 1)[0] - form.start;
   form.base = rot_dense_node(d, i)[1 + component];
-  form.share = 2 * each;
+  form.fraction = 2 * each;
   take_node(&form, d, i, component);
   take_node(&form, d, i + 1, component);
   /* Then outward in turn: the nearest first keeps the differences stable. */
-  const double least = 0.25 * fabs(form.width);
-  size_t left = next_node(d, i, 0, least), right = next_node(d, i + 1, 1, least), lefts = 0;
-  for (size_t k = 2; k < most && (left < d->count || right < d->count); k++) {
+  const double min = 0.25 * fabs(form.width);
+  size_t left = next_node(d, i, 0, min), right = next_node(d, i + 1, 1, min), lefts = 0;
+  for (size_t k = 2; k < max && (left < d->count || right < d->count); k++) {
     const int on_left = left < d->count && (right == d->count || 2 * lefts <= k - 2);
     const size_t at = on_left ? left : right;
     take_node(&form, d, at, component);
     if (on_left) {
       lefts++;
-      left = next_node(d, at, 0, least);
+      left = next_node(d, at, 0, min);
     } else {
-      right = next_node(d, at, 1, least);
+      right = next_node(d, at, 1, min);
     }
   }
   /* Divided differences; at a twin node the first one is the slope, put there above. */
@@ -95,10 +95,10 @@ rot_dense_form rot_dense_between(const rot_dense *d, size_t i, size_t component)
 }
 
 /* Near the extremes of the slope of x^2 (1 - x)^2. */
-static const double mend_at[ROT_DENSE_MENDS] = {0.2113, 0.7887};
+static const double correction_at[ROT_DENSE_CORRECTIONS] = {0.2113, 0.7887};
 
-double rot_dense_mend_at(const rot_dense_form *form) {
-  return form->start + mend_at[form->mends] * form->width;
+double rot_dense_correction_at(const rot_dense_form *form) {
+  return form->start + correction_at[form->corrections] * form->width;
 }
 
 /* The product over the terms so far, and its slope. */
@@ -112,11 +112,12 @@ static double product_at(const rot_dense_form *form, double x, double *rise) {
   return product;
 }
 
-void rot_dense_mend(rot_dense_form *form, double slope) {
-  const double x = mend_at[form->mends];
+void rot_dense_correct(rot_dense_form *form, double slope) {
+  const double x = correction_at[form->corrections];
   double now, rise;
-  if (form->mends > 0) { /* the new term leaves the slope at the mend before alone */
-    const double before = mend_at[form->mends - 1];
+  if (form->corrections >
+      0) { /* the new term leaves the slope at the correction before unchanged */
+    const double before = correction_at[form->corrections - 1];
     form->terms--;
     const double product = product_at(form, before, &rise);
     form->z[form->terms++] = before + product / rise;
@@ -124,12 +125,12 @@ void rot_dense_mend(rot_dense_form *form, double slope) {
   rot_dense_at(form, form->start + x * form->width, &now, NULL, NULL);
   product_at(form, x, &rise);
   form->c[form->terms++] = (slope - now) * form->width / rise;
-  form->share = 1;
-  form->mends++;
+  form->fraction = 1;
+  form->corrections++;
 }
 
-double rot_dense_at(const rot_dense_form *form, double t, double *slope, double *share,
-                    double *slope_share) {
+double rot_dense_at(const rot_dense_form *form, double t, double *slope, double *fraction,
+                    double *slope_fraction) {
   const double x = (t - form->start) / form->width;
   double value = 0.0, rise = 0.0, product = 1.0, product_rise = 0.0;
   double last = 0.0, last_rise = 0.0;
@@ -137,12 +138,12 @@ double rot_dense_at(const rot_dense_form *form, double t, double *slope, double 
     rise = rise * (x - form->z[k]) + value;
     value = value * (x - form->z[k]) + form->c[k];
   }
-  if (share || slope_share) {
+  if (fraction || slope_fraction) {
     double before = 1.0, before_rise = 0.0;
     for (size_t k = 0; k < form->terms; k++) {
-      if (k + form->share >= form->terms) {
-        /* The second mend has a zero half way, which says nothing of what is left there. */
-        const int half = form->mends > 1;
+      if (k + form->fraction >= form->terms) {
+        /* The second correction has a zero half way, which says nothing of what is left there. */
+        const int half = form->corrections > 1;
         last += fabs(form->c[k] * (half ? 0.5 * before : product));
         last_rise +=
             fabs(form->c[k] * product_rise) + (half ? fabs(form->c[k] * before_rise) : 0.0);
@@ -154,7 +155,7 @@ double rot_dense_at(const rot_dense_form *form, double t, double *slope, double 
     }
   }
   if (slope) *slope = rise / form->width;
-  if (share) *share = last;
-  if (slope_share) *slope_share = last_rise / fabs(form->width);
+  if (fraction) *fraction = last;
+  if (slope_fraction) *slope_fraction = last_rise / fabs(form->width);
   return form->base + value;
 }

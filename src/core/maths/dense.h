@@ -11,7 +11,7 @@
 
 #include "ground/status.h"
 
-/* Nodes of one smooth stretch in their order: t, y[dim], f[dim] each. */
+/* Nodes of one smooth segment in their order: t, y[dim], f[dim] each. */
 typedef struct rot_dense {
   size_t dim, count, room;
   int slopes; /* f is to be trusted */
@@ -22,8 +22,8 @@ typedef struct rot_dense {
 enum {
   ROT_DENSE_NODES = 8,
   ROT_DENSE_VALUES = 12,
-  ROT_DENSE_MENDS = 2,
-  ROT_DENSE_TERMS = 2 * ROT_DENSE_NODES + ROT_DENSE_MENDS
+  ROT_DENSE_CORRECTIONS = 2,
+  ROT_DENSE_TERMS = 2 * ROT_DENSE_NODES + ROT_DENSE_CORRECTIONS
 };
 
 /* ROT_OK or ROT_ENOMEM. Insert before node `at`, or add with at = count. */
@@ -38,21 +38,22 @@ static inline const double *rot_dense_node(const rot_dense *d, size_t i) {
 
 /* One component between nodes i and i + 1, in Newton's form. */
 typedef struct rot_dense_form {
-  size_t terms, share; /* share: of those, the last node's, or the last mend */
-  size_t mends;
+  size_t terms, fraction; /* fraction: of those, the last node's, or the last correction */
+  size_t corrections;
   double start, width, base;
   double z[ROT_DENSE_TERMS], c[ROT_DENSE_TERMS];
 } rot_dense_form;
 
 rot_dense_form rot_dense_between(const rot_dense *d, size_t i, size_t component);
 
-/* Where the next mend is to be made: where a term more has the steepest slope. */
-double rot_dense_mend_at(const rot_dense_form *form);
-/* One term more, so that the slope there is what is given. At most ROT_DENSE_MENDS. */
-void rot_dense_mend(rot_dense_form *form, double slope);
+/* Place of the next correction: where a term more has the steepest slope. */
+double rot_dense_correction_at(const rot_dense_form *form);
+/* Adds one term so that the derivative there equals `slope`. At most ROT_DENSE_CORRECTIONS times.
+ * */
+void rot_dense_correct(rot_dense_form *form, double slope);
 
 /* The value at t, its slope, and what the last node's share of each is (any may be NULL). */
-double rot_dense_at(const rot_dense_form *form, double t, double *slope, double *share,
-                    double *slope_share);
+double rot_dense_at(const rot_dense_form *form, double t, double *slope, double *fraction,
+                    double *slope_fraction);
 
 #endif

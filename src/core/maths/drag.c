@@ -17,10 +17,10 @@ static int exponent(double x) {
   return e;
 }
 
-static int least(int a, int b) { return a < b ? a : b; }
-static int most(int a, int b) { return a > b ? a : b; }
+static int min(int a, int b) { return a < b ? a : b; }
+static int max(int a, int b) { return a > b ? a : b; }
 
-static double scaled(double x, int e) { return ldexp(x, most(-5000, least(5000, e))); }
+static double scaled(double x, int e) { return ldexp(x, max(-5000, min(5000, e))); }
 
 /* (x + x_lo)/d 2^e, to twice the precision. */
 static double ratio(double x, double x_lo, double d, int e, double *lo) {
@@ -39,13 +39,13 @@ static void choose_units(const rot_drag_law *law, double omega0, double span_s, 
   const int ea = exponent(law->drive_n_m) - ei, eb = exponent(law->viscous_n_m_s) - ei,
             ek = exponent(law->quadratic_n_m_s2) - ei;
   int p = isfinite(span_s) ? exponent(span_s) : 1024;
-  p = least(p, LARGE - most(eb, (ea + ek) / 2));
-  p = least(p, LARGE - ek - ew);
-  if (law->drive_n_m < 0.0) p = least(p, ew - ea + 2); /* it stops within omega0/|a| */
-  p = most(-2000, least(2000, p));
+  p = min(p, LARGE - max(eb, (ea + ek) / 2));
+  p = min(p, LARGE - ek - ew);
+  if (law->drive_n_m < 0.0) p = min(p, ew - ea + 2); /* it stops within omega0/|a| */
+  p = max(-2000, min(2000, p));
   int q = ew;
   if (law->drive_n_m > 0.0) {
-    q = most(q, least(ea + p, least(ea - eb, ek < NOTHING / 2 ? INT_MAX : (ea - ek) / 2)));
+    q = max(q, min(ea + p, min(ea - eb, ek < NOTHING / 2 ? INT_MAX : (ea - ek) / 2)));
   }
   flow->time_exp = p;
   flow->omega_exp = q < NOTHING / 2 ? 0 : q;
@@ -192,8 +192,8 @@ static double theta_by_quadrature(const rot_drag *f, double t, int panels, doubl
 /* How many panels put the poles of omega(t) so far off that ten points give 1e-16: they lie at
  * i pi/(2 s) from a real time, and before -1/slope. */
 static double panels_for(const rot_drag *f, double t) {
-  const double wide = f->turns && f->s * t > 0.8 ? 8.0 : f->s * t / 0.8;
-  return ceil(fmax(1.0, fmax(wide, f->slope * t / 0.667)));
+  const double simd = f->turns && f->s * t > 0.8 ? 8.0 : f->s * t / 0.8;
+  return ceil(fmax(1.0, fmax(simd, f->slope * t / 0.667)));
 }
 
 /* The closed form where it does not cancel, else quadrature: uniform slowing or speeding up, where

@@ -7,7 +7,7 @@
 #include "ground/real.h"
 
 /* Matrices of 64 rows, graded over 1e-30, took at most 11 sweeps. */
-enum { MOST_SWEEPS = 60 };
+enum { MAX_SWEEPS = 60 };
 
 /* A row of rotations of so many columns takes more than 20 us; fewer are not worth a poll. */
 enum { LARGE = 64 };
@@ -21,13 +21,13 @@ static rot_status poll_if_large(size_t n, const rot_hooks *hooks) {
 enum { NOT_FINITE = -100000 };
 
 static int scale_to_one(size_t n, double a[]) {
-  double most = 0.0;
+  double max = 0.0;
   int exponent = 0;
   for (size_t i = 0; i < n; i++) {
     if (!isfinite(a[i])) return NOT_FINITE;
-    if (fabs(a[i]) > most) most = fabs(a[i]);
+    if (fabs(a[i]) > max) max = fabs(a[i]);
   }
-  if (most > 0.0) frexp(most, &exponent);
+  if (max > 0.0) frexp(max, &exponent);
   for (size_t i = 0; i < n; i++) a[i] = ldexp(a[i], -exponent);
   return exponent;
 }
@@ -84,13 +84,13 @@ static void swap(double *x, double *y) {
 
 static void sort_ascending(size_t n, double values[], double vectors[]) {
   for (size_t i = 0; i + 1 < n; i++) {
-    size_t least = i;
+    size_t min = i;
     for (size_t j = i + 1; j < n; j++) {
-      if (values[j] < values[least]) least = j;
+      if (values[j] < values[min]) min = j;
     }
-    if (least == i) continue;
-    swap(&values[i], &values[least]);
-    for (size_t r = 0; r < n; r++) swap(&vectors[r * n + i], &vectors[r * n + least]);
+    if (min == i) continue;
+    swap(&values[i], &values[min]);
+    for (size_t r = 0; r < n; r++) swap(&vectors[r * n + i], &vectors[r * n + min]);
   }
 }
 
@@ -127,7 +127,7 @@ rot_status rot_eigen_symmetric(size_t n, double a[], double values[], double vec
   if (!copy) return ROT_ENOMEM;
   for (size_t i = 0; i < n * n; i++) copy[i] = a[i];
   set_identity(n, vectors);
-  for (int sweep = 0; turned && sweep < MOST_SWEEPS && status == ROT_OK; sweep++) {
+  for (int sweep = 0; turned && sweep < MAX_SWEEPS && status == ROT_OK; sweep++) {
     turned = 0;
     for (size_t p = 0; p + 1 < n && status == ROT_OK; p++) {
       for (size_t q = p + 1; q < n; q++) turned |= rotate_pair(n, a, vectors, p, q);
@@ -188,11 +188,11 @@ static rot_status triangularize(size_t rows, size_t cols, double g[], size_t pla
   for (size_t j = 0; j < cols; j++) place[j] = j;
   for (size_t k = 0; k < cols && status == ROT_OK; k++) {
     size_t column = k, row = k;
-    double most = -1.0;
+    double max = -1.0;
     for (size_t j = k; j < cols; j++) {
       const double size = dot(rows - k, cols, g + k * cols + j, g + k * cols + j);
-      if (size > most) {
-        most = size;
+      if (size > max) {
+        max = size;
         column = j;
       }
     }
@@ -223,7 +223,7 @@ static int rotate_columns(size_t n, double a[], size_t p, size_t q) {
 static rot_status orthogonalize(size_t n, double a[], double sigma[], const rot_hooks *hooks) {
   rot_status status = ROT_OK;
   int turned = 1;
-  for (int sweep = 0; turned && sweep < MOST_SWEEPS; sweep++) {
+  for (int sweep = 0; turned && sweep < MAX_SWEEPS; sweep++) {
     turned = 0;
     for (size_t p = 0; p + 1 < n; p++) {
       for (size_t q = p + 1; q < n; q++) turned |= rotate_columns(n, a, p, q);

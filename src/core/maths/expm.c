@@ -36,13 +36,13 @@ void rot_expm_apply(size_t n, const double a[], const double x[], double y[]) {
 
 /* The 1-norm. */
 static double norm_of(size_t n, const double a[]) {
-  double most = 0.0;
+  double max = 0.0;
   for (size_t j = 0; j < n; j++) {
     double sum = 0.0;
     for (size_t i = 0; i < n; i++) sum += fabs(a[i * n + j]);
-    if (!(sum <= most)) most = sum;
+    if (!(sum <= max)) max = sum;
   }
-  return most;
+  return max;
 }
 
 /* Solves a x = b for n right-hand sides, with partial pivoting; both are overwritten, b by x. The

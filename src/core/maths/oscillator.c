@@ -75,7 +75,8 @@ static void by_phase(const rot_oscillator *of, double half_rate, rot_oscillator_
  * Q = exp(-2 phase) - slow F/(2 phase), all times the exponential that lasts longest. */
 static void by_roots(const rot_oscillator *of, rot_oscillator_step *out) {
   const int grows = out->damped < 0.0;
-  const double apart = 2.0 * out->phase.hi, F = -expm1(-apart), f = out->slow.hi * F / apart;
+  const double difference = 2.0 * out->phase.hi, F = -expm1(-difference),
+               f = out->slow.hi * F / difference;
   const double E = grows ? exp_dd(out->fast) : exp_dd(rot_dd_neg(out->slow));
   const double rest = exp_dd(rot_dd_ldexp(rot_dd_neg(out->phase), 1)), P = E * (1.0 + f),
                Q = E * (rest - f);
@@ -116,12 +117,12 @@ static void by_series(rot_oscillator_step *out) {
 
 /* One root may be far: phi_1 and phi_2 of the roots, divided by their distance. */
 static void by_differences(rot_oscillator_step *out) {
-  const double apart = 2.0 * out->phase.hi, sign = out->damped < 0.0 ? -1.0 : 1.0;
+  const double difference = 2.0 * out->phase.hi, sign = out->damped < 0.0 ? -1.0 : 1.0;
   double slow[3], fast[3];
   rot_phi(sign * out->slow.hi, sign * out->slow.lo, 2, slow);
   rot_phi(sign * out->fast.hi, sign * out->fast.lo, 2, fast);
-  out->second = sign * (slow[1] - fast[1]) / apart;
-  out->third = sign * (slow[2] - fast[2]) / apart;
+  out->second = sign * (slow[1] - fast[1]) / difference;
+  out->third = sign * (slow[2] - fast[2]) / difference;
 }
 
 /* Short steps, where 1 - u loses digits, have a form without that difference. */

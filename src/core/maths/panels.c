@@ -23,7 +23,7 @@ static const double gauss[HALF + 1] = {
     0.0, 0.381830050505118944950369775488975, 0.0, 0.417959183673469387755102040816327};
 
 /* Panels evaluated beyond four for each at the start, at a time, and halvings. */
-enum { MOST = 200000, AT_ONCE = 256, HALVINGS = 24 };
+enum { MAX = 200000, AT_ONCE = 256, HALVINGS = 24 };
 
 typedef struct panel {
   double from, to;
@@ -50,12 +50,12 @@ static void integrate(const panel *p, size_t width, const double f[], const sums
       size += kronrod[at(i)] * fabs(y);
       if (i > 0) varies += fabs(y - f[(size_t)(i - 1) * width + k]);
     }
-    const double apart = fabs(by_kronrod - by_gauss) * half;
+    const double difference = fabs(by_kronrod - by_gauss) * half;
     out->value[k] = by_kronrod * half;
     out->size[k] = size = size * half;
     /* Piessens' rule: the difference is the error of the Gauss rule; Kronrod's is far less. */
-    out->error[k] =
-        size > 0.0 ? size * fmin(1.0, pow(200.0 * apart / fmax(size, 1e-300), 1.5)) : apart;
+    out->error[k] = size > 0.0 ? size * fmin(1.0, pow(200.0 * difference / fmax(size, 1e-300), 1.5))
+                               : difference;
     out->noise[k] = varies * late; /* the times of the nodes are rounded */
   }
 }
@@ -124,7 +124,7 @@ static void find_total(work *w) {
   for (size_t k = 0; k < w->p->width; k++) {
     double total = 0.0;
     for (size_t i = 0; i < w->n_open; i++) total += sums_of(w, i).size[k];
-    if (w->p->least) total = fmax(total, w->p->least[k]);
+    if (w->p->min) total = fmax(total, w->p->min[k]);
     w->total[k] = isfinite(total) ? total : (double)INFINITY; /* no halving helps */
   }
 }
@@ -148,7 +148,7 @@ static void halve(work *w, size_t i) {
 
 static rot_status go(work *w) {
   const rot_panels *p = w->p;
-  size_t left = MOST + 4 * p->n;
+  size_t left = MAX + 4 * p->n;
   for (size_t i = 0; i < p->n; i++) w->open[i] = (panel){p->edge_s[i], p->edge_s[i + 1], i};
   w->n_open = p->n;
   for (int halving = 0; w->n_open; halving++) {

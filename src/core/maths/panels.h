@@ -14,7 +14,7 @@ typedef struct rot_panels {
   size_t width, n; /* integrands; panels, whose ends are edge_s[0 .. n], increasing */
   const double *edge_s;
   /* NULL, or the size of what each integrand is added to: below its rounding nothing is halved. */
-  const double *least;
+  const double *min;
   double *value; /* out: n * width, of each panel */
   double *error; /* out: width, of their sums, the rounding of the times included; NaN: unknown */
   double *size;  /* out: width, the integrals of the absolute values */

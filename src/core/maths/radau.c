@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { STAGES = 5, MOST_ITERATIONS = 12 };
+enum { STAGES = 5, MAX_ITERATIONS = 12 };
 
 /* mpmath, 60 digits: roots of d^4/dx^4 x^4 (x - 1)^5, and the collocation integrals. */
 static const double node[STAGES] = {0.057104196114517682193, 0.27684301363812382768,
@@ -133,24 +133,24 @@ static int differentiate(rot_radau *r, rot_radau_rhs rhs, void *ctx, double t, d
 
 /* By how many e-folds the fastest growing part of the motion would grow in a step. The method damps
  * what grows as surely as what decays, once a step is long: it is not for such steps. */
-enum { MOST_FOLDS = 4 };
+enum { MAX_FOLDS = 4 };
 
 static int grows_too_fast(const rot_radau *r, double h) {
   const double *j = r->jacobian;
-  if (r->n == 1) return h * j[0] > MOST_FOLDS;
+  if (r->n == 1) return h * j[0] > MAX_FOLDS;
   if (r->n != 2) return 0;
-  const double half = 0.5 * h * (j[0] + j[3]), apart = 0.5 * h * (j[0] - j[3]);
-  const double d = apart * apart + (h * j[1]) * (h * j[2]);
-  return half + (d > 0.0 ? sqrt(d) : 0.0) > MOST_FOLDS;
+  const double half = 0.5 * h * (j[0] + j[3]), difference = 0.5 * h * (j[0] - j[3]);
+  const double d = difference * difference + (h * j[1]) * (h * j[2]);
+  return half + (d > 0.0 ? sqrt(d) : 0.0) > MAX_FOLDS;
 }
 
 static int factor_both(rot_radau *r, double h) {
-  const size_t n = r->n, wide = STAGES * n;
+  const size_t n = r->n, simd = STAGES * n;
   for (size_t i = 0; i < STAGES; i++) {
     for (size_t j = 0; j < STAGES; j++) {
       for (size_t k = 0; k < n; k++) {
         for (size_t l = 0; l < n; l++) {
-          r->matrix[(i * n + k) * wide + j * n + l] =
+          r->matrix[(i * n + k) * simd + j * n + l] =
               (i == j && k == l ? 1.0 : 0.0) - h * weight[i][j] * r->jacobian[k * n + l];
         }
       }
@@ -161,7 +161,7 @@ static int factor_both(rot_radau *r, double h) {
       r->small[k * n + l] = (k == l ? 1.0 : 0.0) - h * gamma_0 * r->jacobian[k * n + l];
     }
   }
-  if (factor(wide, r->matrix, r->pivot)) return ROT_RADAU_DIVERGED;
+  if (factor(simd, r->matrix, r->pivot)) return ROT_RADAU_DIVERGED;
   return factor(n, r->small, r->small_pivot) ? ROT_RADAU_DIVERGED : 0;
 }
 
@@ -220,7 +220,7 @@ static int iterate(rot_radau *r, rot_radau_rhs rhs, void *ctx, double t, double 
                    const double allowed[]) {
   const size_t n = r->n;
   double last = INFINITY;
-  for (int k = 0; k < MOST_ITERATIONS; k++) {
+  for (int k = 0; k < MAX_ITERATIONS; k++) {
     const int code = correct(r, rhs, ctx, t, h, y);
     if (code) return code;
     double now = 0.0;

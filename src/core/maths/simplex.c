@@ -3,16 +3,16 @@
 #include <math.h>
 #include <string.h>
 
-enum { MOST = ROT_SIMPLEX_ROWS, MOST_STEPS = 5000, BLAND_AFTER = 300 };
+enum { MAX = ROT_SIMPLEX_ROWS, MAX_STEPS = 5000, BLAND_AFTER = 300 };
 
 /* Pivots and reduced costs below it count as 0. Generated columns come close to each other as the
  * square root of it, and the inverse of a basis with two such loses as many digits. */
 static const double small = 1e-11, small_generated = 1e-9;
 
 typedef struct tableau {
-  size_t basis[MOST]; /* a column, or lp->capacity + i: artificial column i */
-  double sign[MOST], inverse[MOST][MOST], x[MOST];
-  double rhs[MOST]; /* moved by 1e-10: steps that do not progress could cycle */
+  size_t basis[MAX]; /* a column, or lp->capacity + i: artificial column i */
+  double sign[MAX], inverse[MAX][MAX], x[MAX];
+  double rhs[MAX]; /* moved by 1e-10: steps that do not progress could cycle */
 } tableau;
 
 static double dot(size_t m, const double a[], const double b[]) {
@@ -21,8 +21,8 @@ static double dot(size_t m, const double a[], const double b[]) {
   return sum;
 }
 
-static void basis_column(const rot_simplex *lp, const tableau *t, size_t j, double to[MOST]) {
-  memset(to, 0, MOST * sizeof *to);
+static void basis_column(const rot_simplex *lp, const tableau *t, size_t j, double to[MAX]) {
+  memset(to, 0, MAX * sizeof *to);
   if (t->basis[j] >= lp->capacity) {
     const size_t i = t->basis[j] - lp->capacity;
     to[i] = t->sign[i];
@@ -34,7 +34,7 @@ static void basis_column(const rot_simplex *lp, const tableau *t, size_t j, doub
 /* Gauss-Jordan with row pivoting; 0 where the basis is singular. */
 static int invert(const rot_simplex *lp, tableau *t) {
   const size_t m = lp->m;
-  double a[MOST][2 * MOST], column[MOST];
+  double a[MAX][2 * MAX], column[MAX];
   memset(a, 0, sizeof a);
   for (size_t j = 0; j < m; j++) {
     basis_column(lp, t, j, column);
@@ -80,12 +80,12 @@ static double reduced(const rot_simplex *lp, size_t j, int phase) {
 static size_t entering(rot_simplex *lp, int phase, int step) {
   size_t best = lp->n;
   const double enough = lp->price ? -small_generated : -small;
-  double least = enough;
+  double min = enough;
   for (size_t j = 0; j < lp->n; j++) {
     const double d = reduced(lp, j, phase);
-    if (!(d < least)) continue;
+    if (!(d < min)) continue;
     best = j;
-    least = d;
+    min = d;
     if (step > BLAND_AFTER) return best;
   }
   if (best < lp->n || !lp->price || lp->n == lp->capacity) return best;
@@ -107,12 +107,12 @@ static double ratio_of(const rot_simplex *lp, const tableau *t, const double u[]
  * cycle, the first column. */
 static size_t leaving(const rot_simplex *lp, const tableau *t, const double u[], int phase,
                       int step) {
-  double least = INFINITY;
+  double min = INFINITY;
   size_t best = lp->m;
-  for (size_t i = 0; i < lp->m; i++) least = fmin(least, ratio_of(lp, t, u, phase, i));
-  if (!(least < INFINITY)) return best;
+  for (size_t i = 0; i < lp->m; i++) min = fmin(min, ratio_of(lp, t, u, phase, i));
+  if (!(min < INFINITY)) return best;
   for (size_t i = 0; i < lp->m; i++) {
-    if (!(ratio_of(lp, t, u, phase, i) <= least + 1e-13)) continue;
+    if (!(ratio_of(lp, t, u, phase, i) <= min + 1e-13)) continue;
     if (best == lp->m ||
         (step > BLAND_AFTER ? t->basis[i] < t->basis[best] : fabs(u[i]) > fabs(u[best])))
       best = i;
@@ -122,8 +122,8 @@ static size_t leaving(const rot_simplex *lp, const tableau *t, const double u[],
 
 static rot_simplex_result run_phase(rot_simplex *lp, tableau *t, int phase) {
   const size_t m = lp->m;
-  for (int step = 0; step < MOST_STEPS; step++) {
-    double u[MOST];
+  for (int step = 0; step < MAX_STEPS; step++) {
+    double u[MAX];
     if (!invert(lp, t)) return ROT_SIMPLEX_STOPPED;
     lp->value = 0.0;
     for (size_t j = 0; j < m; j++) lp->dual[j] = 0.0;

@@ -121,12 +121,12 @@ static double deviance_at(problem *q, const double x[2]) {
 }
 
 /* Nelder and Mead in two dimensions. */
-static rot_status descend(problem *q, double x[2], double *least, const rot_hooks *hooks) {
+static rot_status descend(problem *q, double x[2], double *min, const rot_hooks *hooks) {
   double v[3][2], f[3];
   for (int i = 0; i < 3; i++) {
     v[i][0] = x[0] + (i == 1 ? 0.7 : 0.0);
     v[i][1] = x[1] + (i == 2 ? 0.9 : 0.0);
-    f[i] = i == 0 ? *least : deviance_at(q, v[i]);
+    f[i] = i == 0 ? *min : deviance_at(q, v[i]);
   }
   for (int turn = 0; turn < 80; turn++) {
     int low = 0, high = 0;
@@ -176,7 +176,7 @@ static rot_status descend(problem *q, double x[2], double *least, const rot_hook
     if (f[i] < f[low]) low = i;
   }
   memcpy(x, v[low], sizeof v[low]);
-  *least = f[low];
+  *min = f[low];
   return ROT_OK;
 }
 
@@ -226,11 +226,11 @@ static double median_spacing(size_t n, const double t[], double work[]) {
   return work[m / 2];
 }
 
-enum { TIMES = 6, SHARES = 3, STARTS = 3 };
+enum { TIMES = 6, FRACTIONS = 3, STARTS = 3 };
 
 static rot_status search(problem *q, double white, double threshold, const rot_noise *near,
                          const rot_hooks *hooks, rot_reml *out) {
-  static const double share[SHARES] = {-3.0, -0.7, 1.5};
+  static const double fraction[FRACTIONS] = {-3.0, -0.7, 1.5};
   double start[STARTS][2], height[STARTS], best = white - threshold;
   int starts = 0;
   if (near) {
@@ -240,19 +240,19 @@ static rot_status search(problem *q, double white, double threshold, const rot_n
     starts = 1;
   } else {
     for (int i = 0; i < TIMES; i++) {
-      double x[2], least = DBL_MAX, at = 0.0;
+      double x[2], min = DBL_MAX, at = 0.0;
       x[0] = q->log_low + (i + 0.5) * (q->log_high - q->log_low) / TIMES;
-      for (int j = 0; j < SHARES; j++) {
-        x[1] = share[j];
+      for (int j = 0; j < FRACTIONS; j++) {
+        x[1] = fraction[j];
         const double f = deviance_at(q, x);
-        if (f < least) {
-          least = f;
+        if (f < min) {
+          min = f;
           at = x[1];
         }
       }
       /* Keep the best few. */
       int place = starts < STARTS ? starts++ : STARTS;
-      while (place > 0 && height[place - 1] > least) {
+      while (place > 0 && height[place - 1] > min) {
         if (place < STARTS) {
           height[place] = height[place - 1];
           memcpy(start[place], start[place - 1], sizeof start[0]);
@@ -260,7 +260,7 @@ static rot_status search(problem *q, double white, double threshold, const rot_n
         place--;
       }
       if (place < STARTS) {
-        height[place] = least;
+        height[place] = min;
         start[place][0] = x[0];
         start[place][1] = at;
       }

@@ -7,22 +7,22 @@
 
 /* A motion that would take more is no coast-down: it grows without bound, or its drag stops it at
  * once. */
-enum { P = ROT_COAST_PARAMETERS, MOST_STEPS = 4000 };
+enum { P = ROT_COAST_PARAMETERS, MAX_STEPS = 4000 };
 
-/* The motion from the start of a stretch in which nothing changes: u = side omega >= 0,
+/* The motion from the start of a segment in which nothing changes: u = side omega >= 0,
  * u' = -(a + b u + k u^2). */
 typedef struct coast {
   const rot_coast_load *load;
   const double *p;
-  double torque;                         /* T/I now */
-  double drive, d_drive, share, d_share; /* T/(I + J), I/(I + J), by the multiplier */
-  double side, a, b, k, D;               /* D = b^2/4 - a k */
+  double torque;                               /* T/I now */
+  double drive, d_drive, fraction, d_fraction; /* T/(I + J), I/(I + J), by the multiplier */
+  double side, a, b, k, D;                     /* D = b^2/4 - a k */
   long steps;
-  double since, theta0, u0; /* the start of the stretch */
+  double since, theta0, u0; /* the start of the segment */
   rot_drag flow;
   int exact, rests;
   double stop;        /* when u reaches 0, from `since` on */
-  double t, theta, u; /* where the march is */
+  double t, theta, u; /* the present state */
   double s[P], x[P];  /* derivatives of omega, theta */
   int wanted;         /* the derivatives are */
 } coast;
@@ -51,25 +51,25 @@ static double stop_after(const coast *c, double u) {
   return y > 1e-4 ? atanh(y) / sqrt(D) : T * (1.0 + y * y / 3.0);
 }
 
-/* ---- stretches ------------------------------------------------------------------------------- */
+/* ---- segments ------------------------------------------------------------------------------- */
 
 /* T/(I + J) and I/(I + J); nothing acts after the release. */
 static void take_load(coast *c, int acts) {
   const double p = c->p[ROT_COAST_LOAD], j = c->load->added_ratio, tau = c->torque;
   const double sum = 1.0 + j * (c->load->scales ? p : 1.0);
   c->drive = acts ? tau * p / sum : 0.0;
-  c->share = acts ? 1.0 / sum : 1.0;
+  c->fraction = acts ? 1.0 / sum : 1.0;
   c->d_drive = acts ? tau / (c->load->scales ? sum * sum : sum) : 0.0;
-  c->d_share = acts && c->load->scales ? -j / (sum * sum) : 0.0;
+  c->d_fraction = acts && c->load->scales ? -j / (sum * sum) : 0.0;
 }
 
-/* A stretch from here, with omega's sign, or that of the torque where omega is 0. */
+/* A segment from here, with omega's sign, or that of the torque where omega is 0. */
 static void begin(coast *c, double omega, double side, double span) {
   const double *p = c->p;
   c->side = side;
-  c->a = c->share * p[ROT_COAST_COULOMB] - side * c->drive;
-  c->b = c->share * p[ROT_COAST_VISCOUS];
-  c->k = c->share * p[ROT_COAST_QUADRATIC];
+  c->a = c->fraction * p[ROT_COAST_COULOMB] - side * c->drive;
+  c->b = c->fraction * p[ROT_COAST_VISCOUS];
+  c->k = c->fraction * p[ROT_COAST_QUADRATIC];
   c->D = 0.25 * c->b * c->b - c->a * c->k;
   c->since = c->t;
   c->steps = 0;
@@ -91,10 +91,10 @@ static void begin(coast *c, double omega, double side, double span) {
   }
 }
 
-/* omega' of this stretch at its speed u. */
+/* omega' of this segment at its speed u. */
 static double slope_of(const coast *c) { return -c->side * (c->a + c->u * (c->b + c->k * c->u)); }
 
-/* ---- the march ------------------------------------------------------------------------------- */
+/* ---- time stepping --------------------------------------------------------------------------- */
 
 /* Gauss-Legendre on (0, 1), by the number of points. */
 typedef struct rule {
@@ -154,7 +154,7 @@ static void pass(coast *c, double h, double x) {
     of_theta[ROT_COAST_LOAD] += c->d_drive * by_theta[0];
     for (int i = 0; i < 3; i++) {
       const int at = ROT_COAST_COULOMB + i;
-      const double direct = c->side * c->share, by_load = c->side * c->d_share * p[at];
+      const double direct = c->side * c->fraction, by_load = c->side * c->d_fraction * p[at];
       sensitivity[at] -= direct * by_omega[i];
       of_theta[at] -= direct * by_theta[i];
       sensitivity[ROT_COAST_LOAD] -= by_load * by_omega[i];
@@ -167,7 +167,7 @@ static void pass(coast *c, double h, double x) {
 
 enum { FRESH = 64 };
 
-/* To the time t within the stretch. Rounding adds up from step to step: where rot_drag holds, every
+/* To the time t within the segment. Rounding adds up from step to step: where rot_drag holds, every
  * 64th step takes its state. */
 static rot_status advance(coast *c, double t) {
   const double h = t - c->t;
@@ -178,7 +178,7 @@ static rot_status advance(coast *c, double t) {
   const double s = 1.7 * sqrt(fabs(c->D));
   for (int steps = 0; left > 0.0; steps++) {
     const double rate = fmax(s, fabs(0.5 * c->b + c->k * c->u));
-    if (steps == MOST_STEPS || !isfinite(rate)) return ROT_ERANGE;
+    if (steps == MAX_STEPS || !isfinite(rate)) return ROT_ERANGE;
     const double step = rate * left <= 0.4 ? left : 0.4 / rate;
     pass(c, step, rate * step);
     left -= step;

@@ -156,7 +156,7 @@ static int call_df(const gsl_vector *x, void *data, gsl_matrix *jacobian) {
 
 /* ---- the fit -------------------------------------------------------------------------------- */
 
-enum { MOST_STEPS = 60 };
+enum { MAX_STEPS = 60 };
 
 /* The size of a step in the residuals: its square is the fall of the sum of squares that it
  * promises. */
@@ -281,7 +281,7 @@ static rot_status promised(const gsl_matrix *jacobian, const gsl_vector *residua
 static rot_status iterate(gsl_multifit_nlinear_workspace *g, const work *w, double rounding,
                           const rot_hooks *hooks, rot_coast_fit *fit) {
   const size_t n = w->record->n, m = w->columns;
-  for (int step = 0; step < MOST_STEPS; step++) {
+  for (int step = 0; step < MAX_STEPS; step++) {
     const rot_status status = rot_poll(hooks, 0.5);
     if (status != ROT_OK) return status;
     const int code = gsl_multifit_nlinear_iterate(g);
@@ -498,14 +498,14 @@ static void solve_small(size_t n, double a[3][3], double y[3]) {
   }
 }
 
-/* Of the sets of losses held at 0 that leave no other below 0, the one that the fit, taken as
- * quadratic, minds least. */
-static int choose_held(const rot_coast_fit *fit, const int fitted[], int least_set) {
+/* Of the sets of losses held at 0 that leave no other below 0, that with the smallest increase of
+ * the quadratic model. */
+static int choose_held(const rot_coast_fit *fit, const int fitted[], int min_set) {
   int best = 7;
-  double least = INFINITY;
+  double min = INFINITY;
   for (int set = 0; set < 8; set++) {
     int at[3], held = 0, inside = 1;
-    if ((set & least_set) != least_set) continue;
+    if ((set & min_set) != min_set) continue;
     for (int i = 0; i < 3; i++) {
       if (!(set >> i & 1)) continue;
       if (!fitted[ROT_COAST_COULOMB + i]) inside = 0;
@@ -526,8 +526,8 @@ static int choose_held(const rot_coast_fit *fit, const int fitted[], int least_s
       for (int j = 0; j < held; j++) value -= fit->covariance[k][at[j]] * y[j];
       if (value < 0.0) inside = 0;
     }
-    if (inside && cost < least) {
-      least = cost;
+    if (inside && cost < min) {
+      min = cost;
       best = set;
     }
   }

@@ -7,7 +7,7 @@
 #include <string.h>
 
 /* Orders, and states: one more is the correlated part of the errors. */
-enum { ORDERS = ROT_SMOOTH_MOST, P = ORDERS + 1, PP = P * P, CHANNELS = ROT_SMOOTH_CHANNELS };
+enum { ORDERS = ROT_SMOOTH_MAX, P = ORDERS + 1, PP = P * P, CHANNELS = ROT_SMOOTH_CHANNELS };
 
 /* Standard deviation of a state that nothing is known of, in units of sigma about a polynomial
  * through the next samples. 1e3 costs 6e-4 of a standard error, 1e5 digits at small lambda. */
@@ -131,18 +131,18 @@ static double weight(const rot_smooth_nodes *nodes, int channel, size_t k) {
 /* The polynomial by least squares through the samples that follow, as the states at node k: mean
  * and diffuse standard deviation of each. The angle of a segment without angles is 0. */
 static void start(const rot_smooth_nodes *nodes, int p, size_t k, double *mean, double *sd) {
-  enum { MOST = 2 * P + 2 };
-  double m[MOST * (P + 1)], scale = 0.0;
+  enum { MAX = 2 * P + 2 };
+  double m[MAX * (P + 1)], scale = 0.0;
   int rows = 0, angles = 0;
-  const int columns = p + 1, most = 2 * p + 2;
+  const int columns = p + 1, max = 2 * p + 2;
   double at = 0.0, last = 0.0;
-  double times[MOST];
-  int channels[MOST];
-  size_t index[MOST];
-  for (size_t i = k; i < nodes->n && rows < most; i++) {
+  double times[MAX];
+  int channels[MAX];
+  size_t index[MAX];
+  for (size_t i = k; i < nodes->n && rows < max; i++) {
     if (i > k && nodes->first[i] == ROT_SMOOTH_STARTS) break;
     if (i > k) at += nodes->gap[i];
-    for (int c = 0; c < CHANNELS && rows < most; c++)
+    for (int c = 0; c < CHANNELS && rows < max; c++)
       if (has(nodes, c, i)) {
         times[rows] = last = at;
         channels[rows] = c;
@@ -283,10 +283,10 @@ static void update(int p, int channel, double y, double w, state *at, double *v,
   double *s = at->s, row[P];
   *v = y - at->x[channel];
   if (channel == ROT_SMOOTH_ANGLE) {
-    const double root = hypot(w, s[0]), shrink = w / root, share = s[0] / root;
+    const double root = hypot(w, s[0]), shrink = w / root, fraction = s[0] / root;
     *f = root * root;
     for (int j = 0; j < p; j++) {
-      k[j] = share * s[j] / root;
+      k[j] = fraction * s[j] / root;
       s[j] *= shrink;
     }
   } else {
@@ -505,17 +505,17 @@ typedef struct backward {
   double gain[PP];  /* G by rows */
   double left[PP];  /* factor of the covariance given x+ */
   double onward[P]; /* the predicted mean at k + 1 */
-  int apart;        /* k + 1 starts: x+ says nothing of x */
+  int difference;   /* k + 1 starts: x+ says nothing of x */
 } backward;
 
 static void step_back(process *of, const rot_smooth_nodes *nodes, const rot_smooth_store *store,
                       size_t k, backward *out) {
-  const int p = of->states, wide = 2 * p, first = nodes->first[k + 1];
+  const int p = of->states, simd = 2 * p, first = nodes->first[k + 1];
   const double *xf = store->x + k * (size_t)p, *sf = store->s + k * (size_t)(p * p);
   double m[2 * P * 2 * P];
-  out->apart = first == ROT_SMOOTH_STARTS;
-  if (out->apart) return;
-  memset(m, 0, (size_t)(wide * wide) * sizeof *m);
+  out->difference = first == ROT_SMOOTH_STARTS;
+  if (out->difference) return;
+  memset(m, 0, (size_t)(simd * simd) * sizeof *m);
   if (first == ROT_SMOOTH_FLOWS && nodes->gap[k + 1] > 0.0) {
     process_over(of, nodes->gap[k + 1], keep_at(nodes, k + 1));
     advance(of, xf, out->onward);
@@ -523,9 +523,9 @@ static void step_back(process *of, const rot_smooth_nodes *nodes, const rot_smoo
       for (int i = 0; i < p; i++) {
         double sum = 0.0;
         for (int j = i > r ? i : r; j < p; j++) sum += sf[r * p + j] * of->a[i * p + j];
-        m[r * wide + i] = sum;
-        m[r * wide + p + i] = sf[r * p + i];
-        m[(p + r) * wide + i] = of->q[r * p + i];
+        m[r * simd + i] = sum;
+        m[r * simd + p + i] = sf[r * p + i];
+        m[(p + r) * simd + i] = of->q[r * p + i];
       }
   } else {
     const int kept = first == ROT_SMOOTH_FLOWS ? of->p : first;
@@ -535,39 +535,39 @@ static void step_back(process *of, const rot_smooth_nodes *nodes, const rot_smoo
     for (int r = 0; r < p; r++)
       for (int i = 0; i < p; i++) {
         if (i < kept || i >= of->p)
-          m[r * wide + i] = sf[r * p + i];
+          m[r * simd + i] = sf[r * p + i];
         else if (i == r)
-          m[(p + r) * wide + i] = sd[i];
-        m[r * wide + p + i] = sf[r * p + i];
+          m[(p + r) * simd + i] = sd[i];
+        m[r * simd + p + i] = sf[r * p + i];
       }
   }
-  triangle(m, wide, wide, wide);
+  triangle(m, simd, simd, simd);
   /* Sp G' = X */
   for (int c = 0; c < p; c++)
     for (int r = p - 1; r >= 0; r--) {
-      double sum = m[r * wide + p + c];
-      for (int j = r + 1; j < p; j++) sum -= m[r * wide + j] * out->gain[c * p + j];
-      const double pivot = m[r * wide + r];
+      double sum = m[r * simd + p + c];
+      for (int j = r + 1; j < p; j++) sum -= m[r * simd + j] * out->gain[c * p + j];
+      const double pivot = m[r * simd + r];
       out->gain[c * p + r] = fabs(pivot) > 0.0 ? sum / pivot : 0.0;
     }
   for (int r = 0; r < p; r++)
-    for (int j = 0; j < p; j++) out->left[r * p + j] = j < r ? 0.0 : m[(p + r) * wide + p + j];
+    for (int j = 0; j < p; j++) out->left[r * p + j] = j < r ? 0.0 : m[(p + r) * simd + p + j];
 }
 
 /* The smoothed state at node k from that at k + 1. */
 static void smooth_back(const rot_smooth_store *store, int p, size_t k, const backward *back,
                         state *at) {
   const double *xf = store->x + k * (size_t)p;
-  double apart[P], m[2 * PP];
-  if (back->apart) {
+  double difference[P], m[2 * PP];
+  if (back->difference) {
     memcpy(at->x, xf, (size_t)p * sizeof *xf);
     memcpy(at->s, store->s + k * (size_t)(p * p), (size_t)(p * p) * sizeof *xf);
     return;
   }
-  for (int i = 0; i < p; i++) apart[i] = at->x[i] - back->onward[i];
+  for (int i = 0; i < p; i++) difference[i] = at->x[i] - back->onward[i];
   for (int i = 0; i < p; i++) {
     double sum = 0.0;
-    for (int j = 0; j < p; j++) sum += back->gain[i * p + j] * apart[j];
+    for (int j = 0; j < p; j++) sum += back->gain[i * p + j] * difference[j];
     at->x[i] = xf[i] + sum;
   }
   memcpy(m, back->left, (size_t)(p * p) * sizeof *m);
@@ -589,10 +589,10 @@ static double product(const double *s, int rows, int p, int i, int j) {
 }
 
 static void covariances(const state *at, int p, int order, double *to) {
-  const int most = order < 3 ? order : 3;
+  const int max = order < 3 ? order : 3;
   int c = 0;
   for (int i = 0; i < 3; i++)
-    for (int j = i; j < 3; j++, c++) to[c] = j < most ? product(at->s, p, p, i, j) : 0.0;
+    for (int j = i; j < 3; j++, c++) to[c] = j < max ? product(at->s, p, p, i, j) : 0.0;
 }
 
 static void last_state(const rot_smooth_store *store, int p, size_t k, state *at) {
@@ -636,7 +636,7 @@ void rot_smooth_jumps(const rot_smooth_nodes *nodes, const rot_smooth_model *mod
     step_back(&of, nodes, store, k, &back);
     smooth_back(store, p, k, &back, &at);
     for (size_t i = 0; i < n; i++)
-      if (jumps[i].node == k + 1 && !back.apart) {
+      if (jumps[i].node == k + 1 && !back.difference) {
         /* x+ - x = (1 - G) x+ - what is left of x */
         double m[2 * PP];
         memcpy(m, back.left, (size_t)(p * p) * sizeof *m);
@@ -764,17 +764,17 @@ rot_status rot_smooth_draw(const rot_smooth_nodes *nodes, const rot_smooth_model
   process_begin(&of, model, p);
   for (size_t k = nodes->n, i = n_at; status == ROT_OK && i > 0 && k-- > 0;) {
     backward back;
-    back.apart = 1;
+    back.difference = 1;
     if (k + 1 < nodes->n) step_back(&of, nodes, store, k, &back);
     const double *xf = store->x + k * each;
-    const double *factor = back.apart ? store->s + k * each * each : back.left;
+    const double *factor = back.difference ? store->s + k * each * each : back.left;
     for (size_t d = 0; d < n_draws; d++) {
       double *x = now + d * each, z[P], to[P];
       for (int r = 0; r < p; r++) z[r] = sigma * gsl_ran_gaussian_ziggurat(rng, 1.0);
       for (int c = 0; c < p; c++) {
         double sum = xf[c];
         for (int r = 0; r <= c; r++) sum += factor[r * p + c] * z[r];
-        if (!back.apart)
+        if (!back.difference)
           for (int j = 0; j < p; j++) sum += back.gain[c * p + j] * (x[j] - back.onward[j]);
         to[c] = sum;
       }

@@ -19,7 +19,7 @@
 
 #include "ground/status.h"
 
-enum { ROT_SMOOTH_LEAST = 2, ROT_SMOOTH_MOST = 5 }; /* orders */
+enum { ROT_SMOOTH_MIN = 2, ROT_SMOOTH_MAX = 5 }; /* orders */
 enum { ROT_SMOOTH_ANGLE, ROT_SMOOTH_RATE, ROT_SMOOTH_CHANNELS };
 enum {
   ROT_SMOOTH_SKIPPED = 6, /* first samples of a segment: the likelihood leaves them out */
@@ -91,8 +91,8 @@ void rot_smooth_smooth(const rot_smooth_nodes *nodes, const rot_smooth_model *mo
  * 12, 22; variance of state 3), from a smoother run back to it; NaN where k is none. */
 typedef struct rot_smooth_jump {
   size_t node;
-  double mean[ROT_SMOOTH_MOST], covariance[3], variance_3;
-  double after[ROT_SMOOTH_MOST], after_covariance[3]; /* the state on the far side */
+  double mean[ROT_SMOOTH_MAX], covariance[3], variance_3;
+  double after[ROT_SMOOTH_MAX], after_covariance[3]; /* the state on the far side */
 } rot_smooth_jump;
 void rot_smooth_jumps(const rot_smooth_nodes *nodes, const rot_smooth_model *model,
                       const rot_smooth_store *store, size_t n, rot_smooth_jump jumps[]);

@@ -14,7 +14,7 @@ static const double outlier = 4.5 * 4.5, shock_level = 25.0;
  * coast-downs). */
 static const double kink_level = 10.0, kink_shows = 30.0;
 enum { IMPACT = 1, SWITCH = 2, KINK = 3 }; /* the first state that is forgotten */
-enum { FROM_END = 4, APART = 5, NEIGHBOURS = 2, POINTS = 20, ROUNDS = 400 };
+enum { FROM_END = 4, DIFFERENCE = 5, NEIGHBOURS = 2, POINTS = 20, ROUNDS = 400 };
 static const double golden = 0.6180339887498949;
 
 /* ---- the time of a break --------------------------------------------------------------------- */
@@ -112,7 +112,7 @@ static double window_try(window *w, double time_s, int first) {
 }
 
 /* The best time between a and b for this level: points, then golden section. */
-static double window_time(window *w, double a, double b, int first, double *least) {
+static double window_time(window *w, double a, double b, int first, double *min) {
   double at = a, best = HUGE_VAL;
   const double step = (b - a) / (POINTS - 1);
   for (int i = 0; i < POINTS; i++) {
@@ -140,7 +140,7 @@ static double window_time(window *w, double a, double b, int first, double *leas
     best = fmin(v1, v2);
     at = v1 < v2 ? t1 : t2;
   }
-  *least = best;
+  *min = best;
   return at;
 }
 
@@ -215,15 +215,15 @@ rot_status rot_smooth_time_error(const rot_smooth_record *record, const rot_smoo
     status = window_open(&w, record, unit_s, fit, n_breaks, breaks, which);
     if (status == ROT_OK) {
       const double t = breaks[which].time_s, at = window_try(&w, t, breaks[which].first);
-      const double most = 5.0 * unit_s * (breaks[which].first == KINK ? memory_of(fit) : 1.0);
+      const double max = 5.0 * unit_s * (breaks[which].first == KINK ? memory_of(fit) : 1.0);
       double sum = 0.0;
       for (int side = -1; side <= 1; side += 2) {
         double low = 0.0, high = 1e-4 * unit_s;
-        while (high < most && !(window_try(&w, t + side * high, breaks[which].first) > at + 1.0)) {
+        while (high < max && !(window_try(&w, t + side * high, breaks[which].first) > at + 1.0)) {
           low = high;
           high *= 2.0;
         }
-        if (!(high < most)) {
+        if (!(high < max)) {
           sum = NAN;
           break;
         }
@@ -294,14 +294,13 @@ static size_t leave_out(finding *of) {
   size_t left = 0;
   for (size_t i = 0; i < n; i++) {
     const double e = of->worst[i];
-    int most = e > outlier;
-    for (size_t j = i > NEIGHBOURS ? i - NEIGHBOURS : 0; most && j <= i + NEIGHBOURS && j < n;
-         j++) {
+    int max = e > outlier;
+    for (size_t j = i > NEIGHBOURS ? i - NEIGHBOURS : 0; max && j <= i + NEIGHBOURS && j < n; j++) {
       if (segment_of(of, j) != segment_of(of, i)) continue;
-      if (of->how->breaks && of->shock[j] >= e) most = 0;
-      if ((j + 1 == i || j == i + 1) && of->worst[j] > e) most = 0;
+      if (of->how->breaks && of->shock[j] >= e) max = 0;
+      if ((j + 1 == i || j == i + 1) && of->worst[j] > e) max = 0;
     }
-    if (!most) continue;
+    if (!max) continue;
     for (int c = 0; c < CHANNELS; c++) {
       const double r = of->record->y[c] ? of->residual[c][of->grid.sample[i]] : NAN;
       if (r * r > outlier * of->fit.sigma * of->fit.sigma) of->record->w[c][i] = HUGE_VAL;
@@ -313,23 +312,24 @@ static size_t leave_out(finding *of) {
 
 /* The sample with the largest score above `level` where a break may be, `apart` samples from others
  * and `inside` samples within its segment, or n. */
-static size_t highest(const finding *of, const double *score, double level, size_t apart,
+static size_t highest(const finding *of, const double *score, double level, size_t difference,
                       size_t inside, const unsigned char *tried) {
   const size_t n = of->record->n;
   size_t best = n, b = 0;
-  double most = level;
+  double max = level;
   for (size_t i = 0; i < n; i++) {
-    if (!(score[i] > most) || tried[i]) continue;
+    if (!(score[i] > max) || tried[i]) continue;
     int free_of =
         i >= inside && i + inside < n && segment_of(of, i - inside) == segment_of(of, i + inside);
     for (b = 0; b < of->n_breaks && free_of; b++) {
       if (of->breaks[b].segment != segment_of(of, i)) continue;
-      const size_t low = i >= apart ? i - apart : 0, high = i + apart < n ? i + apart : n - 1;
+      const size_t low = i >= difference ? i - difference : 0,
+                   high = i + difference < n ? i + difference : n - 1;
       const double t = of->breaks[b].time_s;
       free_of = t < of->record->time_s[low] || t > of->record->time_s[high];
     }
     if (!free_of) continue;
-    most = score[i];
+    max = score[i];
     best = i;
   }
   return best;
@@ -422,12 +422,13 @@ static rot_status put_kink(finding *of, size_t k, size_t *at, double *score) {
 }
 
 static size_t next_kink(const finding *of) {
-  const size_t apart = APART + 2 * (size_t)fmin(memory_of(&of->fit), (double)of->record->n);
-  return highest(of, of->kink, kink_level, apart, apart, of->no_kink);
+  const size_t difference =
+      DIFFERENCE + 2 * (size_t)fmin(memory_of(&of->fit), (double)of->record->n);
+  return highest(of, of->kink, kink_level, difference, difference, of->no_kink);
 }
 
-/* Kinks of the acceleration, where a torque begins or ceases to change steadily: one that shows by
- * itself, or two of which each shows beside the other. `spare`: room for more breaks. */
+/* Kinks of the acceleration, where the torque's slope jumps: one that is significant alone, or two
+ * that are significant jointly. `spare`: room for more breaks. */
 static rot_status add_kink(finding *of, size_t spare, size_t *changes, int *more) {
   const size_t n = of->record->n, k = next_kink(of);
   const size_t memory = (size_t)fmin(memory_of(&of->fit), (double)n);
@@ -474,12 +475,12 @@ static rot_status settle(finding *of, size_t given, size_t *changes) {
       status = refit(of, 0);
       continue;
     }
-    if (!of->how->breaks || of->n_breaks - given >= of->how->most_breaks) return ROT_OK;
-    const size_t k = highest(of, of->shock, shock_level, APART, 0, of->tried);
+    if (!of->how->breaks || of->n_breaks - given >= of->how->max_breaks) return ROT_OK;
+    const size_t k = highest(of, of->shock, shock_level, DIFFERENCE, 0, of->tried);
     /* What a kink explains nearly as well is tried as one first. */
     if (k == of->record->n || of->shock[k] - of->kink[k] < 0.5 * shock_level) {
       int more;
-      status = add_kink(of, of->how->most_breaks - (of->n_breaks - given), changes, &more);
+      status = add_kink(of, of->how->max_breaks - (of->n_breaks - given), changes, &more);
       if (more) continue;
       if (k == of->record->n) return status;
     }
@@ -591,14 +592,14 @@ static rot_status beside(finding *of, const rot_smooth_break *from, size_t m, si
 /* A sample that is off beside a break attracts more breaks. Tries each break away, and each sample
  * beside one left out or taken back, with the breaks around placed again; takes what is better.
  * `room` holds three lists of breaks. */
-static rot_status polish(finding *of, rot_smooth_break *room, size_t most, size_t *changes) {
+static rot_status polish(finding *of, rot_smooth_break *room, size_t max, size_t *changes) {
   const size_t n = of->record->n;
   const double near_s = 12.0 * of->grid.unit_s;
-  rot_smooth_break *without = room, *trial = room + most;
+  rot_smooth_break *without = room, *trial = room + max;
   rot_status status = ROT_OK;
   for (size_t b = 0; b < of->n_breaks && status == ROT_OK; b++) {
     if (of->breaks[b].first == KINK) continue;
-    better best = {room + 2 * most, 0, n, total(of, of->breaks, of->n_breaks, 0)};
+    better best = {room + 2 * max, 0, n, total(of, of->breaks, of->n_breaks, 0)};
     const double now = best.value;
     const size_t m = of->n_breaks - 1;
     memcpy(without, of->breaks, b * sizeof *without);
@@ -632,7 +633,7 @@ static rot_status polish(finding *of, rot_smooth_break *room, size_t most, size_
 rot_status rot_smooth_find(rot_smooth_record *record, const rot_smooth_finding *how,
                            rot_smooth_break *breaks, size_t *n_breaks, const rot_hooks *hooks,
                            rot_smooth_fit *fit) {
-  const size_t room = *n_breaks + how->most_breaks, nodes = record->n + 2 * room;
+  const size_t room = *n_breaks + how->max_breaks, nodes = record->n + 2 * room;
   const size_t given = *n_breaks;
   finding of;
   memset(&of, 0, sizeof of);
@@ -645,7 +646,7 @@ rot_status rot_smooth_find(rot_smooth_record *record, const rot_smooth_finding *
   if (status == ROT_OK) status = refit(&of, 1);
   if (status == ROT_OK && (how->breaks || how->outliers)) {
     double *memory = calloc((3 + CHANNELS) * nodes, sizeof *memory);
-    status = rot_smooth_store_new(&of.store, nodes, ROT_SMOOTH_MOST + (record->slow ? 1 : 0));
+    status = rot_smooth_store_new(&of.store, nodes, ROT_SMOOTH_MAX + (record->slow ? 1 : 0));
     rot_smooth_break *trial = calloc(3 * room + 1, sizeof *trial);
     of.tried = calloc(2 * record->n + 2, 1);
     if (of.tried) of.no_kink = of.tried + record->n + 1;

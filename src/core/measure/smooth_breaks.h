@@ -7,7 +7,7 @@
 typedef struct rot_smooth_finding {
   int breaks, outliers;        /* look for them? */
   int first_order, last_order; /* to choose from */
-  size_t most_breaks;          /* room in the list */
+  size_t max_breaks;           /* room in the list */
 } rot_smooth_finding;
 
 /* Fits the record; leaves out samples (w = Inf: record->w must be given) and adds breaks to the

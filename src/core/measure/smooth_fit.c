@@ -19,8 +19,8 @@ static const double golden = 0.6180339887498949;
 /* ---- records as nodes ------------------------------------------------------------------------ */
 
 rot_status rot_smooth_grid_new(rot_smooth_grid *grid, const rot_smooth_record *record,
-                               size_t most_breaks, size_t others) {
-  const size_t n = record->n + 2 * most_breaks + others;
+                               size_t max_breaks, size_t others) {
+  const size_t n = record->n + 2 * max_breaks + others;
   memset(grid, 0, sizeof *grid);
   if (n > ((size_t)-1) / 256) return ROT_ENOMEM;
   char *memory = malloc((n + 1) * ((3 + 2 * CHANNELS) * sizeof(double) + 2 * sizeof(size_t)));
@@ -63,8 +63,8 @@ static double clock_at(const rot_smooth_record *record, size_t i, int segment, d
   const int before = i > 0 && (!record->segment || record->segment[i - 1] == segment);
   if (here && before) {
     const double t0 = record->time_s[i - 1], t1 = record->time_s[i];
-    const double share = t1 > t0 ? fmin(fmax((time_s - t0) / (t1 - t0), 0.0), 1.0) : 1.0;
-    return record->clock[i - 1] + share * (record->clock[i] - record->clock[i - 1]);
+    const double fraction = t1 > t0 ? fmin(fmax((time_s - t0) / (t1 - t0), 0.0), 1.0) : 1.0;
+    return record->clock[i - 1] + fraction * (record->clock[i] - record->clock[i - 1]);
   }
   return here ? record->clock[i] : before ? record->clock[i - 1] : 0.0;
 }
@@ -159,9 +159,9 @@ double rot_smooth_floor(const rot_smooth_grid *grid, const rot_smooth_record *re
     if (!record->y[c]) continue;
     for (size_t i = 0; i < record->n; i++)
       if (fabs(record->y[c][i]) > largest) largest = fabs(record->y[c][i]);
-    double least = fmax(record->floor[c], 4.0 * DBL_EPSILON * largest);
-    if (c == RATE) least *= grid->unit_s / (both ? ratio : 1.0);
-    floor = fmax(floor, least);
+    double min = fmax(record->floor[c], 4.0 * DBL_EPSILON * largest);
+    if (c == RATE) min *= grid->unit_s / (both ? ratio : 1.0);
+    floor = fmax(floor, min);
   }
   return fmax(floor, 1e-150);
 }
@@ -259,7 +259,7 @@ static void search_lambda(search *of, int order, double near) {
 static rot_status search_orders(search *of, int first_order, int last_order,
                                 const rot_smooth_fit *near) {
   rot_smooth_fit best;
-  double least = HUGE_VAL;
+  double min = HUGE_VAL;
   of->best.objective = HUGE_VAL;
   of->status = ROT_OK;
   best = of->best;
@@ -274,8 +274,8 @@ static rot_status search_orders(search *of, int first_order, int last_order,
       (void)rot_smooth_objective(&of->grid->nodes, &of->best.model, of->floor, &sigma, &sums);
       value = order_objective(&sums, of->floor) + (order < 4 ? reluctance : 0.0);
     }
-    if (value < least) {
-      least = value;
+    if (value < min) {
+      min = value;
       best = of->best;
     }
   }
@@ -389,14 +389,14 @@ static rot_status next_order(search *of, const rot_smooth_fit *fit, rot_smooth_f
     value[side] = try_at(of, order, at[side]);
   }
   while (of->status == ROT_OK && at[2] - at[0] > 3.0 * width) {
-    const int least = value[0] < value[1] ? 0 : value[2] < value[1] ? 2 : 1;
-    if (least != 1) { /* further down this side */
+    const int min = value[0] < value[1] ? 0 : value[2] < value[1] ? 2 : 1;
+    if (min != 1) { /* further down this side */
       step *= 1.6;
-      const double to = at[least] + (least - 1) * step;
+      const double to = at[min] + (min - 1) * step;
       if (to < low || to > highest) break;
-      at[2 - least] = at[1], value[2 - least] = value[1];
-      at[1] = at[least], value[1] = value[least];
-      at[least] = to, value[least] = try_at(of, order, to);
+      at[2 - min] = at[1], value[2 - min] = value[1];
+      at[1] = at[min], value[1] = value[min];
+      at[min] = to, value[min] = try_at(of, order, to);
       continue;
     }
     const double a = at[0] - at[1], c = at[2] - at[1];
@@ -423,10 +423,10 @@ static rot_status next_order(search *of, const rot_smooth_fit *fit, rot_smooth_f
 rot_status rot_smooth_refine(const rot_smooth_record *record, size_t n_breaks,
                              const rot_smooth_break *breaks, int last_order, const rot_hooks *hooks,
                              rot_smooth_fit *fit) {
-  rot_smooth_fit of[ROT_SMOOTH_MOST + 1];
+  rot_smooth_fit of[ROT_SMOOTH_MAX + 1];
   rot_smooth_grid grid;
   rot_smooth_sums sums;
-  double sigma, memory = 0.0, least = HUGE_VAL;
+  double sigma, memory = 0.0, min = HUGE_VAL;
   int best = fit->model.order;
   if (!record->y[ANGLE] || record->y[RATE] || fit->end == ROT_SMOOTH_JOINS) return ROT_OK;
   rot_status status = rot_smooth_grid_new(&grid, record, n_breaks, 0);
@@ -446,7 +446,7 @@ rot_status rot_smooth_refine(const rot_smooth_record *record, size_t n_breaks,
     (void)rot_smooth_objective(&grid.nodes, &of[order].model, floor, &sigma, &sums);
     const double value = order_objective(&sums, floor);
     if (3 * sums.order_counted < sums.samples) break;
-    if (value < least) least = value, best = order;
+    if (value < min) min = value, best = order;
     status = rot_poll(hooks, 0.0);
   }
   grid.nodes.settles = 0;

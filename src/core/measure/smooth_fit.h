@@ -45,7 +45,7 @@ typedef struct rot_smooth_grid {
 } rot_smooth_grid;
 
 rot_status rot_smooth_grid_new(rot_smooth_grid *grid, const rot_smooth_record *record,
-                               size_t most_breaks, size_t others);
+                               size_t max_breaks, size_t others);
 void rot_smooth_grid_free(rot_smooth_grid *grid);
 /* `ratio`: the scatter of rates times h0 over that of angles, 1 where one of them is measured. */
 void rot_smooth_grid_fill(rot_smooth_grid *grid, const rot_smooth_record *record, double ratio,

@@ -275,7 +275,7 @@ rot_status rot_swing_rows(const rot_swing *swing, double start_s, size_t n, cons
   return status;
 }
 
-rot_status rot_swing_extremes(const rot_swing *swing, double start_s, double end_s, size_t most,
+rot_status rot_swing_extremes(const rot_swing *swing, double start_s, double end_s, size_t max,
                               const rot_hooks *hooks, size_t *n, double time_s[], double value[],
                               double derivative[]) {
   motion m;
@@ -283,7 +283,7 @@ rot_status rot_swing_extremes(const rot_swing *swing, double start_s, double end
   rot_status status = begin(swing, &m);
   const double end = m.law.omega0 * (end_s - start_s);
   if (status == ROT_OK) status = look_ahead(&m);
-  while (status == ROT_OK && *n < most && m.side != 0.0 && m.phase < end) {
+  while (status == ROT_OK && *n < max && m.side != 0.0 && m.phase < end) {
     double x = -1.0;
     if (swing->rate) {
       const double first = slope_at(m.s.omega, 0.0), last = slope_at(m.s.omega, m.step);

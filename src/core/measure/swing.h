@@ -40,7 +40,7 @@ rot_status rot_swing_rows(const rot_swing *swing, double start_s, size_t n, cons
 
 /* (swing, end) => the extremes of the value after the start and up to the end: at most `most`;
  * their number in *n. An angle at rest has no more extremes. */
-rot_status rot_swing_extremes(const rot_swing *swing, double start_s, double end_s, size_t most,
+rot_status rot_swing_extremes(const rot_swing *swing, double start_s, double end_s, size_t max,
                               const rot_hooks *hooks, size_t *n, double time_s[], double value[],
                               double derivative[]);
 

@@ -120,10 +120,10 @@ static void order_by_cost(size_t n, const rot_candidate c[], size_t order[]) {
 }
 
 size_t rot_choice_candidates(const rot_constraint *constraint, const void *scene,
-                             const rot_query *query, rot_candidate out[ROT_MOST_MODELS]) {
+                             const rot_query *query, rot_candidate out[ROT_MAX_MODELS]) {
   const size_t n = constraint->n_models;
-  rot_candidate all[ROT_MOST_MODELS];
-  size_t order[ROT_MOST_MODELS];
+  rot_candidate all[ROT_MAX_MODELS];
+  size_t order[ROT_MAX_MODELS];
   const int bounded = judge_all(constraint, scene, query, all);
   order_by_cost(n, all, order);
   for (size_t i = 0; i < n; i++) {
@@ -136,10 +136,10 @@ size_t rot_choice_candidates(const rot_constraint *constraint, const void *scene
 }
 
 size_t rot_choice_pick(const rot_constraint *constraint, const void *scene, const rot_query *query,
-                       rot_candidate out[ROT_MOST_MODELS]) {
+                       rot_candidate out[ROT_MAX_MODELS]) {
   const size_t n = constraint->n_models;
-  rot_candidate all[ROT_MOST_MODELS];
-  size_t order[ROT_MOST_MODELS], picked = 0;
+  rot_candidate all[ROT_MAX_MODELS];
+  size_t order[ROT_MAX_MODELS], picked = 0;
   const int bounded = judge_all(constraint, scene, query, all);
   order_by_cost(n, all, order);
   for (size_t i = 0; i < n; i++) {

@@ -30,12 +30,12 @@ void rot_choice_judge(const rot_constraint *constraint, const rot_model *model, 
 
 /* All models of the constraint, cheapest first; models of equal cost as they are listed. */
 size_t rot_choice_candidates(const rot_constraint *constraint, const void *scene,
-                             const rot_query *query, rot_candidate out[ROT_MOST_MODELS]);
+                             const rot_query *query, rot_candidate out[ROT_MAX_MODELS]);
 
 /* The models to run, cheapest first: those on trial that cost less than the first that is not, and
  * that one. 0: none applies. */
 size_t rot_choice_pick(const rot_constraint *constraint, const void *scene, const rot_query *query,
-                       rot_candidate out[ROT_MOST_MODELS]);
+                       rot_candidate out[ROT_MAX_MODELS]);
 
 /* Text of at most size - 1 characters. Effects: "a, b and c". Reason: why it does not apply, or
  * what was dropped; empty where it takes the scene unchanged. */

@@ -33,8 +33,8 @@ size_t rot_run_column(const rot_constraint *constraint, const char *name) {
   return i;
 }
 
-size_t rot_run_copies(const rot_constraint *constraint, const void *scene) {
-  return constraint->copies ? constraint->copies(scene) : 1;
+size_t rot_run_rows_per_time(const rot_constraint *constraint, const void *scene) {
+  return constraint->rows_per_time ? constraint->rows_per_time(scene) : 1;
 }
 
 int rot_run_shows(const rot_constraint *constraint, const void *scene, unsigned effects,
@@ -57,18 +57,18 @@ typedef struct job {
   const rot_constraint *constraint;
   const void *scene;
   const rot_hooks *hooks;
-  void *column[ROT_MOST_COLUMNS]; /* all of them */
-  void *memory;                   /* of those that the caller does not want */
-  rot_rows rows;                  /* but for the events */
+  void *column[ROT_MAX_COLUMNS]; /* all of them */
+  void *memory;                  /* of those that the caller does not want */
+  rot_rows rows;                 /* but for the events */
 } job;
 
 /* `want`: what the caller has room for, or NULL. */
 static rot_status open_columns(job *j, size_t n_times, const rot_rows *want) {
   const rot_constraint *c = j->constraint;
   void *const *column = want ? want->column : NULL;
-  const size_t n = n_times * rot_run_copies(c, j->scene);
+  const size_t n = n_times * rot_run_rows_per_time(c, j->scene);
   const unsigned effects = c->effects_of(j->scene);
-  int lacks[ROT_MOST_COLUMNS];
+  int lacks[ROT_MAX_COLUMNS];
   size_t missing = 0;
   for (size_t i = 0; i < c->n_columns; i++) {
     j->column[i] = column ? column[i] : NULL;
@@ -121,25 +121,25 @@ static int beyond_doubles(const job *j, unsigned effects, size_t n) {
 
 /* ---- the sizes of the motion ----------------------------------------------------------------- */
 
-enum { ON_THE_WAY = 256 };
+enum { ON_THE_DIRECTION = 256 };
 
 /* A closed form knows the largest values of the rows alone. More times, unevenly spaced, so that no
  * period of the motion hides what is larger between them. */
-static void measure_on_the_way(const job *j, const rot_model *model, const rot_task *task,
-                               rot_info *info) {
+static void measure_on_the_direction(const job *j, const rot_model *model, const rot_task *task,
+                                     rot_info *info) {
   const double start = j->constraint->start_s(j->scene);
   const double from = fmin(start, task->time_s[0]);
   const double to = fmax(start, task->time_s[task->n - 1]);
-  double time_s[ON_THE_WAY];
+  double time_s[ON_THE_DIRECTION];
   rot_task more = *task;
   rot_events events = {0};
   rot_info seen;
   job own = *j;
-  for (int i = 0; i < ON_THE_WAY; i++) {
+  for (int i = 0; i < ON_THE_DIRECTION; i++) {
     time_s[i] = from + (to - from) * fmod((i + 1) * 0.6180339887498949, 1.0);
   }
-  rot_sort(ON_THE_WAY, time_s);
-  more.n = ON_THE_WAY;
+  rot_sort(ON_THE_DIRECTION, time_s);
+  more.n = ON_THE_DIRECTION;
   more.time_s = time_s;
   if (open_columns(&own, more.n, NULL) != ROT_OK) return;
   if (run_model(&own, model, &more, &events, &seen) == ROT_OK) {
@@ -175,11 +175,11 @@ static void run_candidate(const job *j, const rot_candidate *c, const rot_task *
   out->error = rot_info_error(&out->info);
   if (out->info.status != ROT_OK) return;
   if (beyond_doubles(j, constraint->effects_of(j->scene),
-                     task->n * rot_run_copies(constraint, j->scene))) {
+                     task->n * rot_run_rows_per_time(constraint, j->scene))) {
     out->error = INFINITY;
   } else if (task->n && c->model->error_kind != ROT_ADAPTIVE && isfinite(out->error) &&
              (out->error > 1e-13 || out->error > task->accuracy)) {
-    measure_on_the_way(j, c->model, &own, &out->info);
+    measure_on_the_direction(j, c->model, &own, &out->info);
     out->error = rot_info_error(&out->info);
   }
 }
@@ -200,7 +200,7 @@ rot_run_end rot_run(const rot_constraint *constraint, const void *scene, const c
                     const rot_task *task, double law_s, const rot_rows *want, rot_outcome *out,
                     const rot_hooks *hooks) {
   const rot_query query = {task->n, task->time_s, task->accuracy, law_s};
-  rot_candidate picked[ROT_MOST_MODELS];
+  rot_candidate picked[ROT_MAX_MODELS];
   job j = {.constraint = constraint, .scene = scene, .hooks = hooks};
   size_t n = 1;
   out->model = NULL;
@@ -231,7 +231,7 @@ rot_run_end rot_run(const rot_constraint *constraint, const void *scene, const c
 /* Adds how far each balance moves where *x is off by `error`. */
 static void add_moved(const rot_constraint *c, const void *scene, const rot_span *span,
                       const double term[], double *x, double error, double explained[]) {
-  double moved[ROT_MOST_TERMS], by[ROT_MOST_BALANCES] = {0.0};
+  double moved[ROT_MAX_TERMS], by[ROT_MAX_BALANCES] = {0.0};
   const double kept = *x;
   *x = kept + error;
   c->audit(scene, span, moved);
@@ -249,8 +249,9 @@ enum { EXPLAINS = 2 };
 
 rot_status rot_run_audit(const rot_constraint *c, const void *scene, const rot_span *span,
                          double term[], double explained[]) {
-  const size_t copies = rot_run_copies(c, scene), cells = c->n_columns * copies;
-  double flow[ROT_MOST_FLOWS];
+  const size_t rows_per_time = rot_run_rows_per_time(c, scene),
+               cells = c->n_columns * rows_per_time;
+  double flow[ROT_MAX_FLOWS];
   double *ends = malloc(2 * cells * sizeof *ends);
   if (!ends) return ROT_ENOMEM;
   memcpy(ends, span->first, cells * sizeof *ends);
@@ -264,7 +265,7 @@ rot_status rot_run_audit(const rot_constraint *c, const void *scene, const rot_s
   for (size_t b = 0; b < c->n_balances; b++) explained[b] = 0.0;
   if (c->explain) c->explain(scene, &own, term, explained);
   for (size_t i = 0; i < 2 * cells && !c->explain; i++) {
-    const rot_column_of *column = &c->columns[i % cells / copies];
+    const rot_column_of *column = &c->columns[i % cells / rows_per_time];
     const double of = column->measure ? span->error[column->measure - 1]
                       : column->flow  ? span->flow_error[column->flow - 1]
                                       : -1.0;

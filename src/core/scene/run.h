@@ -47,7 +47,7 @@ int rot_run_shows(const rot_constraint *constraint, const void *scene, unsigned 
 const char *rot_run_term_words(const rot_constraint *constraint, const void *scene, size_t term);
 
 /* Rows at one time. */
-size_t rot_run_copies(const rot_constraint *constraint, const void *scene);
+size_t rot_run_rows_per_time(const rot_constraint *constraint, const void *scene);
 
 /* The terms of the balances between two rows, and what explains a residual of each: how far the
  * terms move where each number of the state and each flow is off by its error, in sum, and the

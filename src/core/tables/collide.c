@@ -17,16 +17,16 @@ static void cross(const double a[3], const double b[3], double out[3]) {
 static void contact_axes(const double normal[3], double e[3][3]) {
   double n[3], *t1 = e[0], *t2 = e[1];
   int exponent;
-  const double most = fmax(fmax(fabs(normal[0]), fabs(normal[1])), fabs(normal[2]));
-  frexp(most, &exponent);
+  const double max = fmax(fmax(fabs(normal[0]), fabs(normal[1])), fabs(normal[2]));
+  frexp(max, &exponent);
   for (int i = 0; i < 3; i++) n[i] = ldexp(normal[i], -exponent);
   const double size = sqrt(dot(n, n));
   for (int i = 0; i < 3; i++) e[2][i] = n[i] / size;
-  int least = 0;
+  int min = 0;
   for (int i = 1; i < 3; i++)
-    if (fabs(e[2][i]) < fabs(e[2][least])) least = i;
+    if (fabs(e[2][i]) < fabs(e[2][min])) min = i;
   double x[3] = {0.0, 0.0, 0.0};
-  x[least] = 1.0;
+  x[min] = 1.0;
   cross(e[2], x, t2);
   const double length = sqrt(dot(t2, t2));
   for (int i = 0; i < 3; i++) t2[i] /= length;
@@ -120,11 +120,11 @@ rot_collide_status rot_collide(const rot_collide_input *in, rot_collide_end *end
 
   /* Units of 2^mass for G, of 2^speed for u. */
   int mass, speed;
-  double most = 0.0;
+  double max = 0.0;
   for (int i = 0; i < 9; i++)
-    for (int k = 0; k < 3; k++) most = fmax(most, fabs(g[i][k]));
-  if (!(most < HUGE_VAL)) return ROT_COLLIDE_BEYOND;
-  frexp(most, &mass);
+    for (int k = 0; k < 3; k++) max = fmax(max, fabs(g[i][k]));
+  if (!(max < HUGE_VAL)) return ROT_COLLIDE_BEYOND;
+  frexp(max, &mass);
   frexp(fmax(fmax(fabs(w[0]), fabs(w[1])), fabs(w[2])), &speed);
   for (int i = 0; i < 9; i++)
     for (int k = 0; k < 3; k++) g[i][k] = ldexp(g[i][k], -mass);
@@ -153,6 +153,6 @@ rot_collide_status rot_collide(const rot_collide_input *in, rot_collide_end *end
                                                : flow.compression_work - flow.restitution_work;
   end->normal_loss = ldexp(lost, energy);
   end->friction_loss = ldexp(flow.slip_heat, energy);
-  end->grips = flow.grips;
+  end->sticks = flow.sticks;
   return ROT_COLLIDE_OK;
 }

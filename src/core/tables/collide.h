@@ -25,7 +25,7 @@ typedef struct rot_collide_end {
   double normal_impulse, friction_impulse;
   double normal_loss,
       friction_loss; /* the first is negative where the coefficient creates energy */
-  int grips;
+  int sticks;
 } rot_collide_end;
 
 typedef enum rot_collide_status {

@@ -4,7 +4,7 @@
 #include <string.h>
 
 /* Terms of the series of a step, and steps. A slip that stops takes some 15. */
-enum { TERMS = 24, MOST_STEPS = 5000 };
+enum { TERMS = 24, MAX_STEPS = 5000 };
 
 /* A slip below this part of the velocity is a rounding of it: stick. */
 static const double slip_gone = 0x1p-60;
@@ -52,8 +52,8 @@ static double length_of_work(double u, double h, double c) {
 
 /* Along dp = dir dq for at most `most`, with the rates of u_n and of the slip. */
 static void straight(flow *f, const double dir[3], double rate, double slip_rate, double friction,
-                     double most) {
-  double left = most;
+                     double max) {
+  double left = max;
   while (f->phase != ENDED && left > 0.0) {
     const double u = f->normal, b = dir[2];
     /* Up through 0 ends the compression; down through 0 begins another one. */
@@ -329,7 +329,7 @@ int rot_contact_flow(const rot_contact *contact, const double u[3], rot_contact_
     double size = 0.0;
     for (int i = 0; i < 2; i++)
       for (int j = 0; j < 3; j++) size = fmax(size, (j < 2 ? f.a : f.b) * fabs(contact->k[i][j]));
-    for (int i = 0; f.slip > gone && f.phase != ENDED && i < MOST_STEPS; i++) {
+    for (int i = 0; f.slip > gone && f.phase != ENDED && i < MAX_STEPS; i++) {
       const double dir[3] = {-f.a * f.t[0], -f.a * f.t[1], f.b};
       double rate[2];
       for (int j = 0; j < 2; j++)
@@ -350,7 +350,7 @@ int rot_contact_flow(const rot_contact *contact, const double u[3], rot_contact_
   end->compression_work = f.compressed;
   end->restitution_work = f.restored;
   end->slip_heat = f.heat;
-  end->grips = f.slip <= gone;
+  end->sticks = f.slip <= gone;
   return f.phase == ENDED && isfinite(f.p[0]) && isfinite(f.p[1]) && isfinite(f.p[2]) &&
          isfinite(f.normal);
 }

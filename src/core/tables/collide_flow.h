@@ -41,7 +41,7 @@ typedef struct rot_contact {
 typedef struct rot_contact_end {
   double p[3];                                          /* impulse on body 1 */
   double compression_work, restitution_work, slip_heat; /* all >= 0 */
-  int grips;                                            /* no slip at the end */
+  int sticks;                                           /* no slip at the end */
 } rot_contact_end;
 
 /* From u, with u[2] < 0. Returns 0 where the numbers are beyond double precision. */

@@ -3,7 +3,7 @@
 #include <math.h>
 
 rot_bounce rot_impact_bounce(const rot_bounce_input *in) {
-  const double m = in->mass_kg, r = in->radius_m, share = 1.0 / (1.0 + 1.0 / in->beta);
+  const double m = in->mass_kg, r = in->radius_m, fraction = 1.0 / (1.0 + 1.0 / in->beta);
   rot_bounce out = {in->vx, in->vy, in->omega, 0.0, 0.0, 0.0, 0.0, 0};
   if (!(in->vy < 0.0)) return out;
   const double e = in->restitution, u = in->vx - r * in->omega;
@@ -11,20 +11,20 @@ rot_bounce rot_impact_bounce(const rot_bounce_input *in) {
   out.vy = -e * in->vy;
   out.normal_loss = 0.5 * m * (1.0 - e) * (1.0 + e) * in->vy * in->vy;
   /* What stops the slip, and what also gives a share of it back. */
-  const double et = in->tangential, stop = m * fabs(u) * share, stick = (1.0 + et) * stop;
-  const double most = in->friction * out.normal_impulse;
-  out.grips = stick <= most;
-  const double size = out.grips ? stick : most;
+  const double et = in->tangential, stop = m * fabs(u) * fraction, stick = (1.0 + et) * stop;
+  const double max = in->friction * out.normal_impulse;
+  out.sticks = stick <= max;
+  const double size = out.sticks ? stick : max;
   out.friction_impulse = u > 0.0 ? -size : size;
   out.vx = in->vx + out.friction_impulse / m;
   out.omega = in->omega - out.friction_impulse / (m * in->beta * r);
   /* The slip falls from |u| to the rest evenly with the impulse: the mean of both counts. */
-  const double left = out.grips ? -et * fabs(u) : fabs(u) * (1.0 - most / stop);
+  const double left = out.sticks ? -et * fabs(u) : fabs(u) * (1.0 - max / stop);
   out.friction_loss = 0.5 * size * (fabs(u) + left);
   return out;
 }
 
-double rot_impact_hinge_share(double inertia, double mass, double centre, double distance) {
+double rot_impact_hinge_fraction(double inertia, double mass, double centre, double distance) {
   return mass * centre * distance / inertia - 1.0;
 }
 
@@ -36,7 +36,7 @@ rot_hinged rot_impact_hinged(const rot_hinged_input *in) {
   out.impulse = (1.0 + e) * closing / inverse;
   out.omega = in->omega + out.impulse * d / in->inertia;
   out.particle_v = in->particle_v - out.impulse / in->particle_mass;
-  out.hinge_impulse = out.impulse * rot_impact_hinge_share(in->inertia, in->mass, in->centre, d);
+  out.hinge_impulse = out.impulse * rot_impact_hinge_fraction(in->inertia, in->mass, in->centre, d);
   out.loss = 0.5 * (1.0 - e) * (1.0 + e) * closing * closing / inverse;
   return out;
 }
@@ -48,8 +48,8 @@ rot_rims rot_impact_rims(const rot_rims_input *in) {
   const double give[2] = {r1 * r1 / in->inertia[0], r2 * r2 / in->inertia[1]};
   const double stop = fabs(slip) / (give[0] + give[1]), stick = (1.0 + e) * stop;
   rot_rims out = {{in->omega[0], in->omega[1]}, 0.0, 0.0, 1};
-  out.locked = stick <= in->most;
-  const double size = out.locked ? stick : in->most;
+  out.locked = stick <= in->max;
+  const double size = out.locked ? stick : in->max;
   out.impulse = slip > 0.0 ? -size : size;
   out.omega[0] += out.impulse * r1 / in->inertia[0];
   out.omega[1] += out.impulse * r2 / in->inertia[1];

@@ -9,13 +9,13 @@
 typedef struct rot_bounce_input {
   double mass_kg, radius_m, beta; /* > 0 */
   double vx, vy, omega;
-  double restitution, friction; /* 0 to 1; >= 0, Inf: always grips */
-  double tangential;            /* 0 to 1: the share of the slip that grip gives back */
+  double restitution, friction; /* 0 to 1; >= 0, Inf: always sticks */
+  double tangential;            /* 0 to 1: fraction of the slip that is returned where it sticks */
 } rot_bounce_input;
 
 typedef struct rot_bounce {
   double vx, vy, omega, normal_impulse, friction_impulse, normal_loss, friction_loss;
-  int grips; /* friction stops the slip, and gives the tangential share of it back */
+  int sticks; /* friction stops the slip, and gives the tangential share of it back */
 } rot_bounce;
 
 /* A ball that does not move down keeps its motion. */
@@ -41,7 +41,7 @@ rot_hinged rot_impact_hinged(const rot_hinged_input *in);
 typedef struct rot_rims_input {
   double inertia[2], radius[2], omega[2]; /* inertia > 0, radius not 0 */
   double restitution;                     /* 0 to 1, of the slip */
-  double most;                            /* the largest impulse of friction; Inf: no limit */
+  double max;                             /* the largest impulse of friction; Inf: no limit */
 } rot_rims_input;
 
 typedef struct rot_rims {
@@ -52,6 +52,6 @@ typedef struct rot_rims {
 
 rot_rims rot_impact_rims(const rot_rims_input *in);
 /* The impulse of the hinge on the body, for an impulse 1 at the distance. */
-double rot_impact_hinge_share(double inertia, double mass, double centre, double distance);
+double rot_impact_hinge_fraction(double inertia, double mass, double centre, double distance);
 
 #endif

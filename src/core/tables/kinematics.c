@@ -9,14 +9,14 @@
  * (hi + lo) 2^e, with |hi| in [1/2, 1) and lo below half a unit of hi's last place, or all zero.
  * Products of doubles are exact. A sum has a relative error of 3 2^-106, also where it cancels
  * (Joldes, Muller & Popescu 2017, algorithm 6), and no intermediate result overflows. */
-typedef struct wide {
+typedef struct extended {
   double hi, lo;
   int e;
-} wide;
+} extended;
 
-static wide normal(double hi, double lo, int e) {
+static extended normal(double hi, double lo, int e) {
   int shift = 0;
-  wide x;
+  extended x;
   const double sum = hi + lo;
   lo = lo - (sum - hi);
   x.hi = frexp(sum, &shift);
@@ -25,29 +25,29 @@ static wide normal(double hi, double lo, int e) {
   return x;
 }
 
-static wide wide_of(double x) { return normal(x, 0.0, 0); }
+static extended extended_of(double x) { return normal(x, 0.0, 0); }
 
-static double narrow(wide x) { return ldexp(x.hi, x.e); }
+static double narrow(extended x) { return ldexp(x.hi, x.e); }
 
-static wide scaled(wide x, int power_of_two) {
+static extended scaled(extended x, int power_of_two) {
   if (x.hi != 0.0) x.e += power_of_two;
   return x;
 }
 
-static wide minus(wide x) { return (wide){-x.hi, -x.lo, x.e}; }
+static extended minus(extended x) { return (extended){-x.hi, -x.lo, x.e}; }
 
-static wide times(wide x, wide y) {
+static extended times(extended x, extended y) {
   double lo;
   const double hi = rot_two_prod(x.hi, y.hi, &lo);
   return normal(hi, lo + (x.hi * y.lo + x.lo * y.hi), x.e + y.e);
 }
 
-static wide plus(wide x, wide y) {
+static extended plus(extended x, extended y) {
   double lo, far, farther;
   if (x.hi == 0.0) return y;
   if (y.hi == 0.0) return x;
   if (x.e < y.e) {
-    const wide swap = x;
+    const extended swap = x;
     x = y;
     y = swap;
   }
@@ -61,16 +61,16 @@ static wide plus(wide x, wide y) {
   return normal(top, farther + lo, x.e);
 }
 
-static wide over(wide x, wide y) {
+static extended over(extended x, extended y) {
   double lo;
   const double q = x.hi / y.hi, p = rot_two_prod(q, y.hi, &lo);
   const double rest = ((x.hi - p) - lo) + (x.lo - q * y.lo);
   return normal(q, rest / y.hi, x.e - y.e);
 }
 
-static wide root(wide x) {
-  if (!(x.hi > 0.0)) return wide_of(0.0);
-  if (x.e % 2) x = (wide){2.0 * x.hi, 2.0 * x.lo, x.e - 1};
+static extended root(extended x) {
+  if (!(x.hi > 0.0)) return extended_of(0.0);
+  if (x.e % 2) x = (extended){2.0 * x.hi, 2.0 * x.lo, x.e - 1};
   double lo;
   const double s = sqrt(x.hi), square = rot_two_prod(s, s, &lo);
   return normal(s, ((x.hi - square) - lo + x.lo) / (2.0 * s), x.e / 2);
@@ -89,8 +89,9 @@ enum {
 };
 
 static rot_motion_kind from_rates_and_time(double x[ROT_MOTION_SIZE]) {
-  const wide before = wide_of(x[ROT_MOTION_OMEGA0]), after = wide_of(x[ROT_MOTION_OMEGA]);
-  const wide t = wide_of(x[ROT_MOTION_TIME]);
+  const extended before = extended_of(x[ROT_MOTION_OMEGA0]),
+                 after = extended_of(x[ROT_MOTION_OMEGA]);
+  const extended t = extended_of(x[ROT_MOTION_TIME]);
   if (t.hi == 0.0) {
     if (x[ROT_MOTION_OMEGA0] != x[ROT_MOTION_OMEGA]) return ROT_MOTION_IMPOSSIBLE;
     x[ROT_MOTION_THETA] = 0.0;
@@ -102,21 +103,23 @@ static rot_motion_kind from_rates_and_time(double x[ROT_MOTION_SIZE]) {
 }
 
 static rot_motion_kind from_rates_and_alpha(double x[ROT_MOTION_SIZE]) {
-  const wide before = wide_of(x[ROT_MOTION_OMEGA0]), after = wide_of(x[ROT_MOTION_OMEGA]);
-  const wide alpha = wide_of(x[ROT_MOTION_ALPHA]);
+  const extended before = extended_of(x[ROT_MOTION_OMEGA0]),
+                 after = extended_of(x[ROT_MOTION_OMEGA]);
+  const extended alpha = extended_of(x[ROT_MOTION_ALPHA]);
   if (alpha.hi == 0.0) {
     return x[ROT_MOTION_OMEGA0] == x[ROT_MOTION_OMEGA] ? ROT_MOTION_UNDETERMINED
                                                        : ROT_MOTION_IMPOSSIBLE;
   }
-  const wide t = over(plus(after, minus(before)), alpha);
+  const extended t = over(plus(after, minus(before)), alpha);
   x[ROT_MOTION_TIME] = narrow(t);
   x[ROT_MOTION_THETA] = narrow(scaled(times(plus(before, after), t), -1));
   return ROT_MOTION_ONE;
 }
 
 static rot_motion_kind from_rates_and_angle(double x[ROT_MOTION_SIZE]) {
-  const wide before = wide_of(x[ROT_MOTION_OMEGA0]), after = wide_of(x[ROT_MOTION_OMEGA]);
-  const wide theta = wide_of(x[ROT_MOTION_THETA]), sum = plus(before, after);
+  const extended before = extended_of(x[ROT_MOTION_OMEGA0]),
+                 after = extended_of(x[ROT_MOTION_OMEGA]);
+  const extended theta = extended_of(x[ROT_MOTION_THETA]), sum = plus(before, after);
   if (sum.hi == 0.0) return theta.hi == 0.0 ? ROT_MOTION_UNDETERMINED : ROT_MOTION_IMPOSSIBLE;
   if (theta.hi == 0.0) { /* the mean rate is not 0 and the angle is: the time is 0 */
     if (x[ROT_MOTION_OMEGA0] != x[ROT_MOTION_OMEGA]) return ROT_MOTION_IMPOSSIBLE;
@@ -129,8 +132,8 @@ static rot_motion_kind from_rates_and_angle(double x[ROT_MOTION_SIZE]) {
 }
 
 static rot_motion_kind from_start_alpha_time(double x[ROT_MOTION_SIZE]) {
-  const wide before = wide_of(x[ROT_MOTION_OMEGA0]), t = wide_of(x[ROT_MOTION_TIME]);
-  const wide gain = times(wide_of(x[ROT_MOTION_ALPHA]), t);
+  const extended before = extended_of(x[ROT_MOTION_OMEGA0]), t = extended_of(x[ROT_MOTION_TIME]);
+  const extended gain = times(extended_of(x[ROT_MOTION_ALPHA]), t);
   x[ROT_MOTION_OMEGA] = narrow(plus(before, gain));
   x[ROT_MOTION_THETA] = narrow(times(plus(before, scaled(gain, -1)), t));
   return ROT_MOTION_ONE;
@@ -139,8 +142,9 @@ static rot_motion_kind from_start_alpha_time(double x[ROT_MOTION_SIZE]) {
 /* omega = +-s with s^2 = omega0^2 + 2 alpha theta. With q = omega0 + sign(omega0) s, which does not
  * cancel, the times are 2 theta/q for the omega of omega0's sign and -q/alpha for the other. */
 static rot_motion_kind from_start_alpha_angle(double x[2][ROT_MOTION_SIZE]) {
-  const wide before = wide_of(x[0][ROT_MOTION_OMEGA0]), alpha = wide_of(x[0][ROT_MOTION_ALPHA]);
-  const wide theta = wide_of(x[0][ROT_MOTION_THETA]);
+  const extended before = extended_of(x[0][ROT_MOTION_OMEGA0]),
+                 alpha = extended_of(x[0][ROT_MOTION_ALPHA]);
+  const extended theta = extended_of(x[0][ROT_MOTION_THETA]);
   if (alpha.hi == 0.0) {
     if (before.hi == 0.0 && theta.hi != 0.0) return ROT_MOTION_IMPOSSIBLE;
     x[0][ROT_MOTION_OMEGA] = x[0][ROT_MOTION_OMEGA0];
@@ -148,14 +152,14 @@ static rot_motion_kind from_start_alpha_angle(double x[2][ROT_MOTION_SIZE]) {
     x[0][ROT_MOTION_TIME] = narrow(over(theta, before));
     return ROT_MOTION_ONE;
   }
-  const wide square = plus(times(before, before), scaled(times(alpha, theta), 1));
+  const extended square = plus(times(before, before), scaled(times(alpha, theta), 1));
   if (square.hi < 0.0) return ROT_MOTION_IMPOSSIBLE;
   if (square.hi == 0.0) {
     x[0][ROT_MOTION_OMEGA] = 0.0;
     x[0][ROT_MOTION_TIME] = narrow(minus(over(before, alpha)));
     return ROT_MOTION_ONE;
   }
-  const wide s = before.hi < 0.0 ? minus(root(square)) : root(square), q = plus(before, s);
+  const extended s = before.hi < 0.0 ? minus(root(square)) : root(square), q = plus(before, s);
   const int other_first = (q.hi > 0.0) == (alpha.hi > 0.0); /* times differ by 2 s/alpha */
   for (int i = 0; i < ROT_MOTION_SIZE; i++) x[1][i] = x[0][i];
   double *same = x[other_first], *other = x[!other_first];
@@ -167,34 +171,35 @@ static rot_motion_kind from_start_alpha_angle(double x[2][ROT_MOTION_SIZE]) {
 }
 
 static rot_motion_kind from_start_time_angle(double x[ROT_MOTION_SIZE]) {
-  const wide before = wide_of(x[ROT_MOTION_OMEGA0]), t = wide_of(x[ROT_MOTION_TIME]);
-  const wide theta = wide_of(x[ROT_MOTION_THETA]);
+  const extended before = extended_of(x[ROT_MOTION_OMEGA0]), t = extended_of(x[ROT_MOTION_TIME]);
+  const extended theta = extended_of(x[ROT_MOTION_THETA]);
   if (t.hi == 0.0) {
     if (theta.hi != 0.0) return ROT_MOTION_IMPOSSIBLE;
     x[ROT_MOTION_OMEGA] = x[ROT_MOTION_OMEGA0];
     return ROT_MOTION_UNDETERMINED;
   }
-  const wide way = times(before, t); /* omega t = 2 theta - omega0 t: one division, at the end */
-  x[ROT_MOTION_OMEGA] = narrow(over(plus(scaled(theta, 1), minus(way)), t));
-  x[ROT_MOTION_ALPHA] = narrow(scaled(over(plus(theta, minus(way)), times(t, t)), 1));
+  const extended direction =
+      times(before, t); /* omega t = 2 theta - omega0 t: one division, at the end */
+  x[ROT_MOTION_OMEGA] = narrow(over(plus(scaled(theta, 1), minus(direction)), t));
+  x[ROT_MOTION_ALPHA] = narrow(scaled(over(plus(theta, minus(direction)), times(t, t)), 1));
   return ROT_MOTION_ONE;
 }
 
 /* theta + sign alpha t^2/2. The product of three factors has 159 bits, and theta may cancel the
  * first hundred: exact partial products are added in descending order. */
-static wide angle_with_half(wide theta, wide alpha, wide t, double sign) {
-  const wide rate = times(alpha, t);
-  const wide most = times(normal(sign * rate.hi, 0.0, rate.e - 1), t);
-  const wide rest = times(normal(sign * rate.lo, 0.0, rate.e - 1), t);
-  const wide first = plus(theta, normal(most.hi, 0.0, most.e));
-  const wide second = plus(normal(most.lo, 0.0, most.e), normal(rest.hi, 0.0, rest.e));
+static extended angle_with_half(extended theta, extended alpha, extended t, double sign) {
+  const extended rate = times(alpha, t);
+  const extended max = times(normal(sign * rate.hi, 0.0, rate.e - 1), t);
+  const extended rest = times(normal(sign * rate.lo, 0.0, rate.e - 1), t);
+  const extended first = plus(theta, normal(max.hi, 0.0, max.e));
+  const extended second = plus(normal(max.lo, 0.0, max.e), normal(rest.hi, 0.0, rest.e));
   return plus(plus(first, second), normal(rest.lo, 0.0, rest.e));
 }
 
 /* theta = (omega0 + alpha t/2) t = (omega - alpha t/2) t. */
 static rot_motion_kind from_alpha_time_angle(double x[ROT_MOTION_SIZE]) {
-  const wide alpha = wide_of(x[ROT_MOTION_ALPHA]), t = wide_of(x[ROT_MOTION_TIME]);
-  const wide theta = wide_of(x[ROT_MOTION_THETA]);
+  const extended alpha = extended_of(x[ROT_MOTION_ALPHA]), t = extended_of(x[ROT_MOTION_TIME]);
+  const extended theta = extended_of(x[ROT_MOTION_THETA]);
   if (t.hi == 0.0) return theta.hi == 0.0 ? ROT_MOTION_UNDETERMINED : ROT_MOTION_IMPOSSIBLE;
   x[ROT_MOTION_OMEGA0] = narrow(over(angle_with_half(theta, alpha, t, -1.0), t));
   x[ROT_MOTION_OMEGA] = narrow(over(angle_with_half(theta, alpha, t, 1.0), t));
@@ -301,10 +306,10 @@ double rot_convert_angle(double x, rot_angle_unit unit) {
 
 void rot_moment(double mass, const double position[3], const double about[3],
                 const double vector[3], double out[3]) {
-  wide r[3], f[3];
+  extended r[3], f[3];
   for (int i = 0; i < 3; i++) {
-    r[i] = plus(wide_of(position[i]), minus(wide_of(about[i])));
-    f[i] = times(wide_of(mass), wide_of(vector[i]));
+    r[i] = plus(extended_of(position[i]), minus(extended_of(about[i])));
+    f[i] = times(extended_of(mass), extended_of(vector[i]));
   }
   for (int i = 0; i < 3; i++) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -314,10 +319,10 @@ void rot_moment(double mass, const double position[3], const double about[3],
 
 double rot_lever(double mass, double radius, double size, double angle_deg) {
   const double x[] = {mass, radius, size, rot_sin_deg(angle_deg)};
-  wide product = wide_of(x[0]);
+  extended product = extended_of(x[0]);
   for (int i = 0; i < 4; i++) {
     if (!isfinite(x[i])) return mass * radius * size * x[3];
-    if (i) product = times(product, wide_of(x[i]));
+    if (i) product = times(product, extended_of(x[i]));
   }
   return narrow(product);
 }

@@ -9,13 +9,13 @@ enum { BLOCK = 1024, BLOCKS_PER_POLL = 64 };
 
 /* share = 1/(1 + beta) is used for three of the four columns, which saves a division each (6 to 4
  * ns a row) and costs half an ulp. beta = +Inf takes the limit. */
-static inline double rotational_fraction(double beta, double share) {
-  return isinf(beta) ? 1.0 : beta * share;
+static inline double rotational_fraction(double beta, double fraction) {
+  return isinf(beta) ? 1.0 : beta * fraction;
 }
 
 /* 2 g h/(1 + beta) may overflow or underflow where the speed does not: its power of two is kept
  * apart. */
-static double wide_final_speed(double beta, double height_m, double gravity) {
+static double simd_final_speed(double beta, double height_m, double gravity) {
   if (!(isfinite(beta) && isfinite(height_m) && isfinite(gravity))) {
     return sqrt(2.0 * height_m) * (sqrt(gravity) / sqrt(1.0 + beta));
   }
@@ -25,7 +25,7 @@ static double wide_final_speed(double beta, double height_m, double gravity) {
   return ldexp(sqrt(ldexp(p, odd)), (e + 1 - odd) / 2);
 }
 
-static int wide(double twice_g_h) { return !(twice_g_h > 1e-290 && twice_g_h < 1e290); }
+static int simd(double twice_g_h) { return !(twice_g_h > 1e-290 && twice_g_h < 1e290); }
 
 /* Its square may have lost digits: beta is large. */
 static int lost(double twice_g_h, double speed) { return speed < 1e-145 && twice_g_h > 0.0; }
@@ -37,7 +37,7 @@ double rot_rolling_acceleration(double beta, double angle_deg, double gravity) {
 double rot_rolling_final_speed(double beta, double height_m, double gravity) {
   const double twice_g_h = 2.0 * gravity * height_m;
   const double speed = sqrt(twice_g_h * (1.0 / (1.0 + beta)));
-  return wide(twice_g_h) || lost(twice_g_h, speed) ? wide_final_speed(beta, height_m, gravity)
+  return simd(twice_g_h) || lost(twice_g_h, speed) ? simd_final_speed(beta, height_m, gravity)
                                                    : speed;
 }
 
@@ -58,17 +58,17 @@ double rot_rolling_friction(double beta, double angle_deg) {
  * gravity are constants. */
 typedef struct block {
   double pull[BLOCK], twice_g_h[BLOCK];
-  int any_wide;
+  int any_simd;
 } block;
 
 static void fill_block(block *to, size_t first, size_t rows, const rot_rolling_input *in) {
   const int same_pull = !in->angle_deg.step && !in->gravity.step;
-  to->any_wide = 0;
+  to->any_simd = 0;
   for (size_t i = 0; i < rows; i++) {
     const double g = rot_at(in->gravity, first + i);
     to->pull[i] = same_pull && i ? to->pull[0] : g * rot_sin_deg(rot_at(in->angle_deg, first + i));
     to->twice_g_h[i] = 2.0 * g * rot_at(in->height_m, first + i);
-    to->any_wide |= wide(to->twice_g_h[i]);
+    to->any_simd |= simd(to->twice_g_h[i]);
   }
 }
 
@@ -85,27 +85,27 @@ static void one_block(const block *terms, size_t first, size_t rows, const rot_r
   double *translational = out->translational_fraction + first;
   size_t i = 0;
   for (; i + ROT_PAIR <= rows; i += ROT_PAIR) {
-    const rot_pair b = rot_load(beta + i), d = ROT_BOTH(1.0) + b, share = ROT_BOTH(1.0) / d;
+    const rot_pair b = rot_load(beta + i), d = ROT_BOTH(1.0) + b, fraction = ROT_BOTH(1.0) / d;
     rot_store(acceleration + i, rot_load(terms->pull + i) / d);
-    rot_store(speed + i, rot_pair_sqrt(rot_load(terms->twice_g_h + i) * share));
-    rot_store(rotational + i, b * share);
-    rot_store(translational + i, share);
+    rot_store(speed + i, rot_pair_sqrt(rot_load(terms->twice_g_h + i) * fraction));
+    rot_store(rotational + i, b * fraction);
+    rot_store(translational + i, fraction);
   }
   for (; i < rows; i++) {
-    const double d = 1.0 + beta[i], share = 1.0 / d;
+    const double d = 1.0 + beta[i], fraction = 1.0 / d;
     acceleration[i] = terms->pull[i] / d;
-    speed[i] = sqrt(terms->twice_g_h[i] * share);
-    rotational[i] = beta[i] * share;
-    translational[i] = share;
+    speed[i] = sqrt(terms->twice_g_h[i] * fraction);
+    rotational[i] = beta[i] * fraction;
+    translational[i] = fraction;
   }
   for (i = 0; i < rows; i++) {
     if (rotational[i] != rotational[i]) rotational[i] = rotational_fraction(beta[i], 0.0);
   }
-  int any_lost = terms->any_wide;
+  int any_lost = terms->any_simd;
   for (i = 0; i < rows; i++) any_lost |= speed[i] < 1e-145;
   for (i = 0; any_lost && i < rows; i++) {
-    if (wide(terms->twice_g_h[i]) || lost(terms->twice_g_h[i], speed[i])) {
-      speed[i] = wide_final_speed(beta[i], rot_at(in->height_m, first + i),
+    if (simd(terms->twice_g_h[i]) || lost(terms->twice_g_h[i], speed[i])) {
+      speed[i] = simd_final_speed(beta[i], rot_at(in->height_m, first + i),
                                   rot_at(in->gravity, first + i));
     }
   }

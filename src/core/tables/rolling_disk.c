@@ -170,6 +170,6 @@ rot_status rot_rolling_disk_run(const rot_rolling_disk *p, double accuracy, size
   return status;
 }
 
-double rot_rolling_disk_least(const rot_rolling_disk *p) {
+double rot_rolling_disk_min(const rot_rolling_disk *p) {
   return sqrt(p->gravity_m_per_s2 / p->radius_m * p->transverse / (p->axial * (p->axial + 1.0)));
 }

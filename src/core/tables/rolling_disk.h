@@ -62,6 +62,6 @@ rot_status rot_rolling_disk_run(const rot_rolling_disk *p, double accuracy, size
                                 rot_info *info);
 
 /* The least angular velocity of straight upright rolling that is stable: the lean then swings. */
-double rot_rolling_disk_least(const rot_rolling_disk *p);
+double rot_rolling_disk_min(const rot_rolling_disk *p);
 
 #endif

@@ -266,8 +266,8 @@ static rot_status decompose(equations *eq, double tolerance) {
   const rot_status status = rot_eigen_singular(rows, eq->m, g, eq->sigma, eq->left, NULL);
   free(g);
   if (status != ROT_OK) return status;
-  const double least = tolerance * eq->sigma[eq->m - 1];
-  for (eq->first = 0; eq->first < eq->m && !(eq->sigma[eq->first] > least);) eq->first++;
+  const double min = tolerance * eq->sigma[eq->m - 1];
+  for (eq->first = 0; eq->first < eq->m && !(eq->sigma[eq->first] > min);) eq->first++;
   complete(eq);
   for (size_t j = eq->first; j < eq->m; j++)
     for (size_t i = 0; i < eq->k; i++) {
@@ -369,10 +369,10 @@ static void errors_of(const equations *eq, const rot_dd x[], double error[], int
   for (size_t i = 0; i < eq->k; i++) {
     double sum = ROT_EPS * fabs(x[i].hi), open = 0.0;
     for (size_t l = 0; l < eq->m; l++) {
-      double share = 0.0;
+      double fraction = 0.0;
       for (size_t j = eq->first; j < eq->m; j++)
-        share += eq->right[j * eq->k + i] * eq->left[l * eq->m + j] / eq->sigma[j];
-      sum += u * fabs(share) * off[l];
+        fraction += eq->right[j * eq->k + i] * eq->left[l * eq->m + j] / eq->sigma[j];
+      sum += u * fabs(fraction) * off[l];
     }
     for (size_t l = 0; l < eq->k; l++) {
       const double p = open_part(eq, i, l);
@@ -430,11 +430,11 @@ static void push(program *p, const double column[], double sign, double cost) {
 
 /* Two unit vectors across the normal. */
 static void tangents(const double n[3], double first[3], double second[3]) {
-  int least = 0;
+  int min = 0;
   for (int i = 1; i < 3; i++)
-    if (fabs(n[i]) < fabs(n[least])) least = i;
+    if (fabs(n[i]) < fabs(n[min])) min = i;
   double e[3] = {0.0, 0.0, 0.0};
-  e[least] = 1.0;
+  e[min] = 1.0;
   for (int i = 0; i < 3; i++) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
     first[i] = n[j] * e[k] - n[k] * e[j];
@@ -559,12 +559,12 @@ static void end_program(program *p) {
 
 /* ---- the motion that begins ------------------------------------------------------------------ */
 
-enum { MOST_PASSIVE = 6 };
+enum { MAX_PASSIVE = 6 };
 
 /* Least squares on the columns of the passive set by normal equations, with pivoting. */
 static void solve_passive(const program *p, size_t n, const size_t set[], double x[]) {
   const size_t m = p->eq->m;
-  double a[MOST_PASSIVE][MOST_PASSIVE + 1];
+  double a[MAX_PASSIVE][MAX_PASSIVE + 1];
   for (size_t i = 0; i < n; i++) {
     const double *column = p->lp.column + set[i] * m;
     for (size_t j = 0; j < n; j++) {
@@ -596,12 +596,12 @@ static void solve_passive(const program *p, size_t n, const size_t set[], double
  * and Hanson, Solving Least Squares Problems (1974), chapter 23. */
 static void leave_over(const program *p, double motion[6]) {
   const size_t m = p->eq->m;
-  size_t set[MOST_PASSIVE], n = 0;
-  double x[MOST_PASSIVE] = {0.0}, z[MOST_PASSIVE], size = 0.0;
+  size_t set[MAX_PASSIVE], n = 0;
+  double x[MAX_PASSIVE] = {0.0}, z[MAX_PASSIVE], size = 0.0;
   for (size_t i = 0; i < m; i++) size = fmax(size, fabs(p->lp.rhs[i]));
   for (int step = 0; step < 1000; step++) {
     size_t best = p->lp.n;
-    double most = 1e-11 * size;
+    double max = 1e-11 * size;
     for (size_t i = 0; i < m; i++) {
       motion[i] = -p->lp.rhs[i];
       for (size_t j = 0; j < n; j++) motion[i] += x[j] * p->lp.column[set[j] * m + i];
@@ -609,11 +609,11 @@ static void leave_over(const program *p, double motion[6]) {
     for (size_t j = 0; j < p->lp.n; j++) {
       double along = 0.0;
       for (size_t i = 0; i < m; i++) along -= motion[i] * p->lp.column[j * m + i];
-      if (!(along > most)) continue;
+      if (!(along > max)) continue;
       best = j;
-      most = along;
+      max = along;
     }
-    if (best == p->lp.n || n == MOST_PASSIVE) return;
+    if (best == p->lp.n || n == MAX_PASSIVE) return;
     x[n] = 0.0;
     set[n++] = best;
     for (int inner = 0; inner < 50; inner++) {

@@ -43,7 +43,7 @@ typedef struct rot_reaction {
   int is_couple, one_sided; /* at least 0 */
 } rot_reaction;
 
-/* A contact that pushes along `normal` and grips with friction: `first` and the next reactions are
+/* A contact that pushes along `normal` and has friction: `first` and the next reactions are
  * its forces along the axes, 3 of them, 2 in a plane. */
 typedef struct rot_contact {
   size_t first;

@@ -264,21 +264,21 @@ static void check_sweep(void) {
   rotdyn_sweep_out out = ROTDYN_INIT(rotdyn_sweep_out);
   rotdyn_options options = ROTDYN_INIT(rotdyn_options);
   rotdyn_report info = ROTDYN_INIT(rotdyn_report);
-  double theta[N], omega[N], most[N], again[N];
+  double theta[N], omega[N], max[N], again[N];
   int status[N];
   in.time_s.values = &end;
   in.inertia_kg_m2 = (rotdyn_column){inertia, 1};
   in.torque_scale = (rotdyn_column){scale, 1};
   out.theta_rad = theta;
   out.omega_rad_per_s = omega;
-  out.omega_max = most;
+  out.omega_max = max;
   out.status = status;
   ROT_CHECK_EQ_INT(rotdyn_axle_sweep(axle, N, &in, NULL, &out, &info), ROTDYN_OK);
   ROT_CHECK(!strcmp(info.model, "axle_linear") && info.error > 0.0 && info.error < 1e-13);
   ROT_CHECK_REL(theta[0], 107.85864533301710375, 1e-14);
   ROT_CHECK_REL(omega[0], 5.8278502401517953138, 1e-14);
   ROT_CHECK_REL(theta[2], 2.0 * 107.85864533301710375, 1e-14); /* from rest, it is linear */
-  ROT_CHECK(most[0] > omega[0] && status[0] == ROTDYN_OK && status[2] == ROTDYN_OK);
+  ROT_CHECK(max[0] > omega[0] && status[0] == ROTDYN_OK && status[2] == ROTDYN_OK);
   (void)rotdyn_set_number(axle, "body", 0.125);
   const one second = at(axle, end, NULL);
   ROT_CHECK_REL(theta[1], second.theta, 1e-14);

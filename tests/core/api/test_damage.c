@@ -13,15 +13,15 @@
 #include "api/interface.h"
 #include "rot_test.h"
 
-enum { THREADS = 2, MOST_ROWS = 6, MOST_KINDS = 128 };
+enum { THREADS = 2, MAX_ROWS = 6, MAX_KINDS = 128 };
 
 /* One thread: its random numbers, what it did, what went wrong first. */
 typedef struct actor {
   uint64_t random;
-  long calls, most, failed;
+  long calls, max, failed;
   const char *what;
   const rotdyn_object *shared;
-  size_t right[MOST_KINDS]; /* objects that were right, by constructor */
+  size_t right[MAX_KINDS]; /* objects that were right, by constructor */
   size_t ran, refused, audited, rows, swept;
 } actor;
 
@@ -196,7 +196,7 @@ static rotdyn_options some_options(actor *a, rotdyn_events *events, size_t room,
 
 /* Times in order, but for some; n of at most MOST_ROWS. */
 static size_t some_times(actor *a, double time_s[]) {
-  const size_t n = next(a) % (MOST_ROWS + 1);
+  const size_t n = next(a) % (MAX_ROWS + 1);
   double at = one_in(a, 4) ? -1.0 : 0.0;
   for (size_t i = 0; i < n; i++) {
     time_s[i] = one_in(a, 40) ? odd_number(a) : at;
@@ -216,14 +216,16 @@ static void expect_report(actor *a, int status, const rotdyn_report *report, siz
   if (status != ROTDYN_OK) a->refused++;
 }
 
-static void run_some(actor *a, const rotdyn_object *scene, const char *constructor, size_t copies) {
-  double time_s[MOST_ROWS], event_s[4];
+static void run_some(actor *a, const rotdyn_object *scene, const char *constructor,
+                     size_t rows_per_time) {
+  double time_s[MAX_ROWS], event_s[4];
   const char *event[4], *names[2];
   rotdyn_events events;
   rotdyn_report report = ROTDYN_INIT(rotdyn_report);
   const rotdyn_options options = some_options(a, &events, 4, event_s, event);
   const size_t n = some_times(a, time_s), lies = one_in(a, 16) ? next(a) % 3 : 0;
-  const size_t room = n * copies + lies > 2 && one_in(a, 40) ? n * copies - 1 : n * copies + lies;
+  const size_t room = n * rows_per_time + lies > 2 && one_in(a, 40) ? n * rows_per_time - 1
+                                                                    : n * rows_per_time + lies;
   const size_t n_columns = next(a) % 3;
   double *values[2] = {calloc(room + 1, sizeof(double)), calloc(room + 1, sizeof(double))};
   for (int k = 0; k < 2; k++) {
@@ -239,7 +241,7 @@ static void run_some(actor *a, const rotdyn_object *scene, const char *construct
 }
 
 static void ask_some(actor *a, const rotdyn_object *scene) {
-  double time_s[MOST_ROWS], event_s[4];
+  double time_s[MAX_ROWS], event_s[4];
   const char *event[4];
   rotdyn_events events;
   const rotdyn_options options = some_options(a, &events, 4, event_s, event);
@@ -271,10 +273,11 @@ static rotdyn_column some_column(actor *a, double room[], size_t n) {
   return (rotdyn_column){room, next(a) % 3};
 }
 
-static void run_rows(actor *a, const rotdyn_object *scene, const char *constructor, size_t copies) {
-  double room[4][2 * MOST_ROWS], error[MOST_ROWS], event_s[4];
-  const char *inputs[2], *names[2], *model[MOST_ROWS], *event[4];
-  int status_of[MOST_ROWS];
+static void run_rows(actor *a, const rotdyn_object *scene, const char *constructor,
+                     size_t rows_per_time) {
+  double room[4][2 * MAX_ROWS], error[MAX_ROWS], event_s[4];
+  const char *inputs[2], *names[2], *model[MAX_ROWS], *event[4];
+  int status_of[MAX_ROWS];
   rotdyn_column values[2];
   rotdyn_events events;
   rotdyn_input input = ROTDYN_INIT(rotdyn_input);
@@ -282,9 +285,9 @@ static void run_rows(actor *a, const rotdyn_object *scene, const char *construct
   rotdyn_rows_in in = ROTDYN_INIT(rotdyn_rows_in);
   rotdyn_rows_out out = ROTDYN_INIT(rotdyn_rows_out);
   const rotdyn_options options = some_options(a, &events, 4, event_s, event);
-  const size_t n = next(a) % (MOST_ROWS + 1);
-  double *columns[2] = {calloc(n * copies + 1, sizeof(double)),
-                        calloc(n * copies + 1, sizeof(double))};
+  const size_t n = next(a) % (MAX_ROWS + 1);
+  double *columns[2] = {calloc(n * rows_per_time + 1, sizeof(double)),
+                        calloc(n * rows_per_time + 1, sizeof(double))};
   in.time_s = some_column(a, room[0], n);
   in.n_inputs = next(a) % 3;
   in.inputs = inputs;
@@ -319,15 +322,15 @@ static void run_rows(actor *a, const rotdyn_object *scene, const char *construct
 }
 
 static void sweep_some(actor *a, const rotdyn_object *scene) {
-  double room[6][2 * MOST_ROWS], to[7][MOST_ROWS], event_s[4];
+  double room[6][2 * MAX_ROWS], to[7][MAX_ROWS], event_s[4];
   const char *event[4];
-  int status_of[MOST_ROWS];
+  int status_of[MAX_ROWS];
   rotdyn_events events;
   rotdyn_report report = ROTDYN_INIT(rotdyn_report);
   rotdyn_sweep_in in = ROTDYN_INIT(rotdyn_sweep_in);
   rotdyn_sweep_out out = ROTDYN_INIT(rotdyn_sweep_out);
   const rotdyn_options options = some_options(a, &events, 4, event_s, event);
-  const size_t n = next(a) % (MOST_ROWS + 1);
+  const size_t n = next(a) % (MAX_ROWS + 1);
   rotdyn_column *const columns[] = {&in.time_s,           &in.inertia_kg_m2, &in.viscous_n_m_s,
                                     &in.omega0_rad_per_s, &in.theta0_rad,    &in.torque_scale};
   double **const results[] = {
@@ -401,19 +404,19 @@ static void ask_tables(actor *a) {
 /* ---- all of them ----------------------------------------------------------------------------- */
 
 static void call_about(actor *a, const rotdyn_object *object, const char *constructor,
-                       size_t copies) {
+                       size_t rows_per_time) {
   switch (next(a) % 4) {
   case 0: ask_some(a, object); break;
-  case 1: run_rows(a, object, constructor, copies); break;
+  case 1: run_rows(a, object, constructor, rows_per_time); break;
   case 2: sweep_some(a, object); break;
-  default: run_some(a, object, constructor, copies);
+  default: run_some(a, object, constructor, rows_per_time);
   }
 }
 
 static void *act(void *data) {
   actor *a = data;
   const size_t objects = count_objects();
-  while (a->calls < a->most) {
+  while (a->calls < a->max) {
     const size_t scenes = 12, place = one_in(a, 2) ? next(a) % objects : next(a) % scenes;
     const char *constructor = rotdyn_object_at(place);
     rotdyn_object *object = some_object(a, constructor, 3);
@@ -425,9 +428,9 @@ static void *act(void *data) {
     EXPECT_STATUS(a, status);
     EXPECT(a, lies || report.status == status);
     EXPECT(a, lies || status == ROTDYN_OK || (report.input && report.reason[0]));
-    if (status == ROTDYN_OK && place < MOST_KINDS) a->right[place]++;
+    if (status == ROTDYN_OK && place < MAX_KINDS) a->right[place]++;
     /* `copies` of a refused scene is 0: its runs are refused, too. */
-    call_about(a, object, constructor, lies ? 16 : report.copies);
+    call_about(a, object, constructor, lies ? 16 : report.rows_per_time);
     if (a->shared && one_in(a, 4)) call_about(a, a->shared, "scene_free", 1);
     if (one_in(a, 20)) ask_tables(a);
     rotdyn_object_free(object);
@@ -459,7 +462,7 @@ static void check_damaged_calls(void) {
   for (int k = 0; k < THREADS; k++) {
     actors[k].random =
         88172645463325252u + 977u * (uint64_t)number_of("ROTDYN_SEED", 1) + (uint64_t)k;
-    actors[k].most = calls / THREADS;
+    actors[k].max = calls / THREADS;
     actors[k].shared = shared;
     ROT_CHECK_EQ_INT(pthread_create(&thread[k], NULL, act, &actors[k]), 0);
   }
@@ -474,7 +477,7 @@ static void check_damaged_calls(void) {
     rows += a->rows;
     swept += a->swept;
   }
-  for (int i = 0; i < MOST_KINDS; i++) right += actors[0].right[i] + actors[1].right[i] > 0;
+  for (int i = 0; i < MAX_KINDS; i++) right += actors[0].right[i] + actors[1].right[i] > 0;
   rotdyn_object_free(shared);
   if (getenv("ROTDYN_CALLS")) {
     printf("# %ld calls: %zu scenes ran, %zu were refused or failed, %zu balances, %zu tables of "

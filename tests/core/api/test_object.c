@@ -45,7 +45,7 @@ static void check_lists(void) {
                 (input.otherwise >= input.low && input.otherwise <= input.high));
       ROT_CHECK(!input.options == !strstr(input.kinds, "choice"));
     }
-    ROT_CHECK(i > 0 && i <= ROT_MOST_INPUTS);
+    ROT_CHECK(i > 0 && i <= ROT_MAX_INPUTS);
     ROT_CHECK_EQ_INT(rotdyn_input_at(name, i, &input), ROTDYN_EEND);
     scenes += scene != 0;
     for (size_t k = 0; k < sizeof some / sizeof *some; k++) found += !strcmp(name, some[k]);
@@ -137,7 +137,7 @@ static void check_setting(void) {
   (void)rotdyn_set_numbers(rotors, "bodies", 3, x);
   (void)rotdyn_set_number(rotors, "stiffness_n_m_per_rad", 10.0);
   ROT_CHECK_EQ_INT(rotdyn_object_check(rotors, &report), ROTDYN_OK);
-  ROT_CHECK(report.copies == 3 && report.index && !strcmp(report.index, "rotor"));
+  ROT_CHECK(report.rows_per_time == 3 && report.index && !strcmp(report.index, "rotor"));
   rotdyn_object_free(rotors);
   rotdyn_object_free(axle);
   rotdyn_object_free(list);
@@ -155,7 +155,7 @@ static void check_list_objects(void) {
   ROT_CHECK_EQ_INT(rotdyn_set_object(rotors, "bodies", list), ROTDYN_OK);
   ROT_CHECK_EQ_INT(rotdyn_set_object(rotors, "theta0_rad", list), ROTDYN_OK);
   ROT_CHECK_EQ_INT(rotdyn_object_check(rotors, &report), ROTDYN_OK);
-  ROT_CHECK_EQ_INT(report.copies, 3);
+  ROT_CHECK_EQ_INT(report.rows_per_time, 3);
   ROT_CHECK_EQ_INT(rotdyn_unset(list, NULL), ROTDYN_OK);
   ROT_CHECK_EQ_INT(rotdyn_set_object(rotors, "theta0_rad", list), ROTDYN_EARGUMENT);
   ROT_CHECK_EQ_INT(rotdyn_set_object(rotors, "bodies", list), ROTDYN_OK);

@@ -504,7 +504,7 @@ static void check_spin_up(void) {
                    ROTDYN_OK);
   ROT_CHECK(!strcmp(report.model, "axle_linear") && report.error_is_bound && report.rows_done == 3);
   ROT_CHECK(report.error > 0.0 && report.error < 1e-14 && !*report.reason);
-  ROT_CHECK(report.copies == 1 && !report.index);
+  ROT_CHECK(report.rows_per_time == 1 && !report.index);
   for (int i = 0; i < 3; i++) {
     ROT_CHECK_REL(x[0][i], theta[i], 1e-15);
     ROT_CHECK_REL(x[1][i], omega[i], 1e-15);
@@ -805,7 +805,7 @@ static void check_rotors(void) {
   (void)rotdyn_set_numbers(scene, "theta0_rad", 2, (double[]){0.1, -0.1});
   ROT_CHECK_EQ_INT(rotdyn_scene_run(scene, 2, time_s, NULL, 4, 4, names, columns, &report),
                    ROTDYN_OK);
-  ROT_CHECK(!strcmp(report.model, "rotors_modal") && report.copies == 2 &&
+  ROT_CHECK(!strcmp(report.model, "rotors_modal") && report.rows_per_time == 2 &&
             !strcmp(report.index, "rotor"));
   ROT_CHECK_REL(x[0][2], swing, 1e-13);
   ROT_CHECK_REL(x[0][3], -swing, 1e-13);
@@ -897,7 +897,7 @@ static void check_drive(void) {
   ROT_CHECK(refused(scene, "couplings", "one item less"));
   (void)give(scene, "couplings", part("coupling_gear", 1, of_gear, (double[]){2.0}));
   ROT_CHECK_EQ_INT(RUN, ROTDYN_OK);
-  ROT_CHECK(!strcmp(report.model, "drive_axle") && report.copies == 2);
+  ROT_CHECK(!strcmp(report.model, "drive_axle") && report.rows_per_time == 2);
   ROT_CHECK_REL(x[0][0], 5.0, 1e-15);
   ROT_CHECK_REL(x[0][1], 2.5, 1e-15);
   ROT_CHECK(x[1][0] == 0.0 && isnan(x[1][1]) && isnan(x[2][1]));
@@ -912,20 +912,20 @@ static void check_drive(void) {
   ROT_CHECK_EQ_INT(RUN, ROTDYN_OK);
   ROT_CHECK_REL(x[0][0], 2.0 * (6.0 - 1.0 / 0.8) / (1.0 + 1.0 / 0.8), 1e-9);
   /* A clutch that slips, and a brake that holds the other rotor: 6 - 5 on the first. */
-  static const char *const of_grip[] = {"capacity_n_m"};
+  static const char *const of_excess[] = {"capacity_n_m"};
   rotdyn_object *brakes = rotdyn_object_new("list");
-  (void)give(scene, "couplings", part("coupling_clutch", 1, of_grip, (double[]){5.0}));
+  (void)give(scene, "couplings", part("coupling_clutch", 1, of_excess, (double[]){5.0}));
   (void)rotdyn_unset(brakes, NULL);
   ROT_CHECK_EQ_INT(rotdyn_set_object(scene, "brake", brakes), ROTDYN_OK);
   ROT_CHECK(refused(scene, "brake", "each of the 2 rotors"));
-  (void)give(brakes, NULL, part("brake", 1, of_grip, (double[]){10.0}));
+  (void)give(brakes, NULL, part("brake", 1, of_excess, (double[]){10.0}));
   (void)rotdyn_set_object(scene, "brake", brakes);
   ROT_CHECK_EQ_INT(RUN, ROTDYN_OK);
   ROT_CHECK_REL(x[0][0], 2.0, 1e-9);
   ROT_CHECK(x[0][1] == 0.0 && x[1][0] == 0.0);
   /* A clutch beside a gear with a loss. */
   rotdyn_object *both = rotdyn_object_new("list");
-  (void)give(both, NULL, part("coupling_clutch", 1, of_grip, (double[]){5.0}));
+  (void)give(both, NULL, part("coupling_clutch", 1, of_excess, (double[]){5.0}));
   (void)give(both, NULL, part("coupling_gear", 2, of_gear, (double[]){2.0, 0.8}));
   (void)rotdyn_set_numbers(scene, "bodies", 3, (double[]){1.0, 4.0, 1.0});
   (void)rotdyn_unset(scene, "torque");
@@ -941,7 +941,8 @@ static void check_drive(void) {
 /* 10 rad/s and rest, 12 N m: the clutch locks after 1 s. With a brake of 15 N m on the second rotor
  * it stops both: together they have 5 kg m^2 and 20 N m s. */
 static void check_places(void) {
-  static const char *const of_grip[] = {"capacity_n_m", "from_s"}, *const name = "omega_rad_per_s";
+  static const char *const of_excess[] = {"capacity_n_m", "from_s"}, *const name =
+                                                                         "omega_rad_per_s";
   rotdyn_object *scene = rotdyn_object_new("scene_drive"), *brakes = rotdyn_object_new("list");
   const char *event[2];
   double event_s[2], omega[2], *const column = omega;
@@ -953,9 +954,9 @@ static void check_places(void) {
   options.events = &events;
   (void)rotdyn_set_numbers(scene, "bodies", 2, (double[]){2.0, 3.0});
   (void)rotdyn_set_numbers(scene, "omega0_rad_per_s", 2, (double[]){10.0, 0.0});
-  (void)give(scene, "couplings", part("coupling_clutch", 1, of_grip, (double[]){12.0}));
+  (void)give(scene, "couplings", part("coupling_clutch", 1, of_excess, (double[]){12.0}));
   (void)rotdyn_unset(brakes, NULL);
-  (void)give(brakes, NULL, part("brake", 2, of_grip, (double[]){15.0, 2.0}));
+  (void)give(brakes, NULL, part("brake", 2, of_excess, (double[]){15.0, 2.0}));
   (void)rotdyn_set_object(scene, "brake", brakes);
   ROT_CHECK_EQ_INT(rotdyn_scene_run(scene, 1, &end, &options, 2, 1, &name, &column, NULL),
                    ROTDYN_OK);
@@ -1034,7 +1035,7 @@ static void check_rows(void) {
   in.n_inputs = 0;
   out.n_columns = 1;
   ROT_CHECK_EQ_INT(rotdyn_scene_rows(rotors, 3, &in, NULL, &out, &report), ROTDYN_OK);
-  ROT_CHECK(report.copies == 2 && again[0][0] == 0.1 && again[0][1] == -0.1);
+  ROT_CHECK(report.rows_per_time == 2 && again[0][0] == 0.1 && again[0][1] == -0.1);
   ROT_CHECK_REL(again[0][4], 0.1 * cos(20.0 * 0.1), 1e-13);
   /* Refusals. */
   static const char *const wrong[] = {"resistance"}, *const none[] = {"none"};

@@ -3,8 +3,8 @@
 #include "body/points.h"
 #include "rot_test.h"
 
-enum { MOST = 40000 };
-static double x[MOST], y[MOST], z[MOST], w[MOST], mass[MOST];
+enum { MAX = 40000 };
+static double x[MAX], y[MAX], z[MAX], w[MAX], mass[MAX];
 static double t[3][512], v[3][512];
 
 #define PI 3.14159265358979323846
@@ -29,7 +29,7 @@ static rot_moments moments(const rot_domain *domain, const size_t n[3], int turn
     rule[k] = (rot_rule){n[k], t[k], v[k]};
   }
   const size_t all = n[0] * n[1] * n[2];
-  ROT_CHECK(all <= MOST);
+  ROT_CHECK(all <= MAX);
   rot_density_nodes(domain, rule, 0, all, x, y, z, w);
   for (size_t i = 0; i < all; i++) mass[i] = w[i] * rho(x[i], y[i], z[i]);
   const rot_points points = {all, {mass, 1}, {{x, 1}, {y, 1}, {z, 1}}, rot_domain_exponent(domain)};
@@ -209,14 +209,14 @@ static void check_convergence(void) {
   const double mass_exact = 18.777275372498116306, centre = 0.41639691410162124857,
                cxx = 6.9667875177303063278, cxy = -0.4260060013071399704;
   const size_t n[4][3] = {{4, 4, 8}, {6, 6, 12}, {8, 8, 16}, {12, 12, 24}};
-  const double most[] = {1e-4, 4e-9, 6e-14, 2e-15};
+  const double max[] = {1e-4, 4e-9, 6e-14, 2e-15};
   for (int i = 0; i < 4; i++) {
     const rot_moments got = moments(&ball, n[i], 2, sloped);
     const double trace = got.c[0] + got.c[1] + got.c[2];
-    ROT_CHECK_REL(got.mass, mass_exact, most[i]);
-    ROT_CHECK_REL(got.centre[0], centre, 10.0 * most[i]);
-    ROT_CHECK(fabs(got.c[0] - cxx) <= most[i] * trace);
-    ROT_CHECK(fabs(got.c[3] - cxy) <= most[i] * trace);
+    ROT_CHECK_REL(got.mass, mass_exact, max[i]);
+    ROT_CHECK_REL(got.centre[0], centre, 10.0 * max[i]);
+    ROT_CHECK(fabs(got.c[0] - cxx) <= max[i] * trace);
+    ROT_CHECK(fabs(got.c[3] - cxy) <= max[i] * trace);
     printf("%4d nodes: mass %.2g, second moment %.2g\n", (int)(n[i][0] * n[i][1] * n[i][2]),
            rot_test_rel(got.mass, mass_exact), fabs(got.c[0] - cxx) / trace);
   }

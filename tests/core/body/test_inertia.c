@@ -254,13 +254,13 @@ static double check_frame(const rot_principal *p) {
                      v[2] * (v[3] * v[7] - v[4] * v[6]);
   ROT_CHECK(fabs(det - 1.0) <= 4e-15);
   for (int k = 0; k < 2; k++) {
-    double most = 0.0, least = 0.0;
+    double max = 0.0, min = 0.0;
     for (int i = 0; i < 3; i++) {
-      most = fmax(most, v[3 * i + k]);
-      least = fmin(least, v[3 * i + k]);
+      max = fmax(max, v[3 * i + k]);
+      min = fmin(min, v[3 * i + k]);
     }
     /* Of two of one size the first decides. */
-    ROT_CHECK(most >= -least * (1.0 - 2e-8));
+    ROT_CHECK(max >= -min * (1.0 - 2e-8));
   }
   return skew;
 }
@@ -449,9 +449,9 @@ static void check_join_range(void) {
   ROT_CHECK_REL(whole.second_kg_m2[0], 2.0, 1e-15);
   ROT_CHECK(whole.centre_m[0] == 0.0);
   /* A large light body: the second moment alone is far above the mass. */
-  const rot_inertial wide[] = {{1e-300, {0.0, 0.0, 0.0}, {1e300, 1e300, 0.0, 0.0, 0.0, 0.0}},
+  const rot_inertial simd[] = {{1e-300, {0.0, 0.0, 0.0}, {1e300, 1e300, 0.0, 0.0, 0.0, 0.0}},
                                {1e-300, {0.0, 0.0, 0.0}, {1e300, 1e300, 0.0, 0.0, 0.0, 0.0}}};
-  ROT_CHECK_EQ_INT(rot_inertia_join(2, wide, &whole, &error), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_inertia_join(2, simd, &whole, &error), ROT_OK);
   ROT_CHECK_REL(whole.second_kg_m2[0], 2e300, 1e-15);
   /* And a heavy small one. */
   const rot_inertial dense[] = {{1e300, {0.0, 0.0, 0.0}, {1e-300, 1e-300, 0.0, 0.0, 0.0, 0.0}},

@@ -4,7 +4,7 @@
 #include "mesh_shapes.h"
 #include "ground/dd.h"
 #include "rot_test.h"
-#include "ground/wide.h"
+#include "ground/simd.h"
 
 /* ---- the reference: a . (b x c), in double words; a from the first vertex, exactly ---------- */
 
@@ -84,14 +84,14 @@ static double error_of(const rot_mesh_moments *got, const truth *t) {
 }
 
 /* Checks against the reference; returns the error of the second moment. */
-static double check_against(shape *s, int shell, double most) {
+static double check_against(shape *s, int shell, double max) {
   rot_mesh_moments got;
   const truth t = reference(s, shell);
   const rot_status status =
       shell ? rot_mesh_shell(shape_mesh(s), NULL, &got) : rot_mesh_solid(shape_mesh(s), NULL, &got);
   ROT_CHECK_EQ_INT(status, ROT_OK);
   const double error = error_of(&got, &t);
-  ROT_CHECK(error <= most);
+  ROT_CHECK(error <= max);
   ROT_CHECK(error <= got.error);
   ROT_CHECK(fabs(rot_dd_add1(t.size, -got.size).hi) <= got.size_error * fabs(t.size.hi));
   for (int k = 0; k < 3; k++) {
@@ -280,19 +280,19 @@ static void test_metamorphic(void) {
 /* Registers of two and of four: the same bits, also where the last block is not full. */
 static void test_width(void) {
   for (size_t cut = 0; cut < 40; cut++) {
-    rot_mesh_moments narrow[2], wide[2];
+    rot_mesh_moments narrow[2], simd[2];
     shape s = shape_room(600, 1200);
     add_torus(&s, 30, 20, 2.0, 0.75);
     shape_roughen(&s, 0.1, 9 + cut);
     s.faces -= cut;
     for (int on = 0; on < 2; on++) {
-      rot_mesh_moments *to = on ? wide : narrow;
+      rot_mesh_moments *to = on ? simd : narrow;
       memset(to, 0, 2 * sizeof *to);
-      rot_wide_allow(on);
+      rot_simd_allow(on);
       ROT_CHECK_EQ_INT(rot_mesh_solid(shape_mesh(&s), NULL, &to[0]), ROT_OK);
       ROT_CHECK_EQ_INT(rot_mesh_shell(shape_mesh(&s), NULL, &to[1]), ROT_OK);
     }
-    ROT_CHECK(memcmp(narrow, wide, sizeof narrow) == 0);
+    ROT_CHECK(memcmp(narrow, simd, sizeof narrow) == 0);
     shape_free(&s);
   }
 }
@@ -301,7 +301,7 @@ static void test_width(void) {
 static void test_moved(void) {
   static const double at[3] = {3.0, -2.0, 1.0};
   const double by = 1e-7;
-  double most = 0.0;
+  double max = 0.0;
   for (uint64_t seed = 1; seed < 20; seed++) {
     for (int shell = 0; shell < 2; shell++) {
       rot_mesh_moments before, after;
@@ -322,13 +322,13 @@ static void test_moved(void) {
       for (int k = 0; k < 6; k++) {
         const double off = fabs(after.second_moment[k] - before.second_moment[k]) / trace;
         ROT_CHECK(off <= 1.0001 * by * before.moved_error);
-        most = fmax(most, off / (by * before.moved_error));
+        max = fmax(max, off / (by * before.moved_error));
       }
       shape_free(&s);
     }
   }
-  printf("  moved vertices: up to %.2f of what is said\n", most);
-  ROT_CHECK(most > 0.02);
+  printf("  moved vertices: up to %.2f of what is said\n", max);
+  ROT_CHECK(max > 0.02);
 }
 
 /* Columns as R has them, vertices that no face names, and stand-ins. */

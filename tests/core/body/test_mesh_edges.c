@@ -3,9 +3,9 @@
 #include "body/mesh_edges.h"
 #include "rot_test.h"
 
-enum { MOST = 3000 };
+enum { MAX = 3000 };
 
-static uint32_t component[MOST];
+static uint32_t component[MAX];
 static const double low[3] = {0.0, 0.0, 0.0}, high[3] = {1.0, 2.0, 3.0};
 
 static rot_mesh_edges check(shape *s) {

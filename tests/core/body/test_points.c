@@ -20,7 +20,7 @@ static rot_points cloud(size_t n, const double m[], const double x[], const doub
 /* Every figure within the bound that comes with it, and the bound small. Returns the largest error
  * of the second moment relative to the trace. */
 static double compare(const rot_moments *got, double mass, const double centre[3],
-                      const double c[6], double most) {
+                      const double c[6], double max) {
   const double trace = c[0] + c[1] + c[2];
   double worst = 0.0;
   ROT_CHECK_REL(got->mass, mass, 2.0 * got->mass_error);
@@ -32,7 +32,7 @@ static double compare(const rot_moments *got, double mass, const double centre[3
   for (int k = 0; k < 6; k++) worst = fmax(worst, fabs(got->c[k] - c[k]) / trace);
   if (!(trace > 0.0)) worst = 0.0;
   ROT_CHECK(worst <= got->error);
-  ROT_CHECK(got->error <= most);
+  ROT_CHECK(got->error <= max);
   return worst;
 }
 

@@ -47,7 +47,7 @@ static void check_list(void) {
 
 /* ---- against integrals ---------------------------------------------------------------------- */
 
-static double most_ulps;
+static double max_ulps;
 
 /* The error reported holds of each entry, by the trace; what is no more than one product is better
  * than that by itself. */
@@ -58,7 +58,7 @@ static void check_second(const double got[], const double want[], double error) 
     ROT_CHECK(fabs(got[k] - want[k]) <= (error + ROT_EPS) * trace);
     if (k < 3 && want[k] > 0.0) {
       ROT_CHECK_REL(got[k], want[k], error + ROT_EPS);
-      most_ulps = fmax(most_ulps, rot_test_ulp(got[k], want[k]));
+      max_ulps = fmax(max_ulps, rot_test_ulp(got[k], want[k]));
     }
   }
 }
@@ -86,7 +86,7 @@ static void check_integrals(void) {
       check_second(two.second_kg_m2, by_mass, two.error);
     }
   }
-  printf("second moments of %d cases: at most %g ulp\n", CASES, most_ulps);
+  printf("second moments of %d cases: at most %g ulp\n", CASES, max_ulps);
 }
 
 /* No point is farther away than `reach`, and none so near that it is idle: second moments are
@@ -182,7 +182,7 @@ static void check_shared(void) {
 /* Walls from all of the sphere to 1e-16 of it, against 31 digits: (R^5 - r^5)/(R^3 - r^3) with the
  * common factor divided out. */
 static void check_hollow_sphere(void) {
-  double most = 0.0;
+  double max = 0.0;
   for (int i = 0; i <= 4000; i++) {
     const double outer = 1.0 + 0.618 * i / 4000.0, wall = pow(10.0, -16.5 * (i % 401) / 400.0),
                  inner = outer * (1.0 - wall);
@@ -195,9 +195,9 @@ static void check_hollow_sphere(void) {
         rot_dd_div(rot_dd_mul1(rot_dd_add(s4, rot_dd_mul(r2, r2)), 2.0), rot_dd_mul1(s2, 5.0));
     const double got = make("hollow_sphere", 1, outer, inner, 0, 0).moment_kg_m2;
     ROT_CHECK_ULP(got, k.hi, 4);
-    most = fmax(most, rot_test_ulp(got, k.hi));
+    max = fmax(max, rot_test_ulp(got, k.hi));
   }
-  printf("hollow spheres: at most %g ulp\n", most);
+  printf("hollow spheres: at most %g ulp\n", max);
 }
 
 /* ---- limits --------------------------------------------------------------------------------- */
@@ -369,7 +369,7 @@ static void one_row(const rot_shape *shape, double mass, const double size[], do
 
 /* Sizes in a ratio of 1e280, in every choice of thin ones: the squares of those are beneath the
  * smallest double, and a mass brings them back. Against sizes in a ratio of 1e-20. */
-static void check_wide(void) {
+static void check_simd(void) {
   const double thin = 1e-280, less = 1e-20, mass = 1e300;
   for (size_t i = 0; i < rot_shape_count(); i++) {
     const rot_shape *shape = rot_shape_at(i);
@@ -540,7 +540,7 @@ int main(void) {
   check_nothing();
   check_scales();
   check_ratios();
-  check_wide();
+  check_simd();
   check_small_masses();
   check_faults();
   check_table();

@@ -98,8 +98,8 @@ static void check_places(void) {
     }
     ROT_CHECK(b.reach_m == ldexp(here.reach_m, powers[i]));
   }
-  const double wide[] = {-1.5e308, 1.5e308, 0, 0, 0, 1e308}; /* wider than the largest double */
-  ROT_CHECK_ULP(polygon(3, wide, 0.0).centre_m[1], 1e308 / 3.0, 1);
+  const double simd[] = {-1.5e308, 1.5e308, 0, 0, 0, 1e308}; /* wider than the largest double */
+  ROT_CHECK_ULP(polygon(3, simd, 0.0).centre_m[1], 1e308 / 3.0, 1);
 }
 
 /* A slanted strip of length 1 and width w: its moment across is w^2/12, its area w. */

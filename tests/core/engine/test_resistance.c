@@ -18,7 +18,7 @@ static const rot_input takes_each = {"resistance", "N*m*s", ROT_RESISTANCES,    
 static rot_status make(size_t n, const char *const names[], const double x[], rot_resistance *to,
                        rot_refusal *no) {
   const rot_part *part = &rot_resistance_part;
-  rot_given given[ROT_MOST_INPUTS];
+  rot_given given[ROT_MAX_INPUTS];
   memset(given, 0, sizeof given);
   for (size_t i = 0; i < n; i++) {
     given[rot_input_named(part->n_inputs, part->inputs, names[i])] =
@@ -97,8 +97,8 @@ static void check_each(void) {
                              {.is = ROT_INPUT_NUMBERS, .n = 1, .x = &one}};
   g = (rot_given){.is = ROT_INPUT_LIST, .n = 3, .item = items};
   ROT_CHECK(EACH == ROT_OK && x[0] == 0.5 && x[1] == 0.0 && x[2] == 0.25);
-  const rot_given wide[] = {{.is = ROT_INPUT_NUMBERS, .n = 3, .x = three}, {0}, {0}};
-  g.item = wide;
+  const rot_given simd[] = {{.is = ROT_INPUT_NUMBERS, .n = 3, .x = three}, {0}, {0}};
+  g.item = simd;
   ROT_CHECK(EACH == ROT_EVALUE && strstr(no.reason, "one number"));
 #undef EACH
 }

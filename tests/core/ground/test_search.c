@@ -4,7 +4,7 @@
 #include "ground/search.h"
 #include "rot_test.h"
 
-enum { MOST = 40 };
+enum { MAX = 40 };
 
 static void check_all(size_t n, const double x[]) {
   static const double near[] = {-HUGE_VAL, -0.5, 0.0, 0.5, HUGE_VAL};
@@ -25,8 +25,8 @@ static void check_all(size_t n, const double x[]) {
 }
 
 int main(void) {
-  double x[MOST];
-  for (size_t n = 0; n <= MOST; n++) {
+  double x[MAX];
+  for (size_t n = 0; n <= MAX; n++) {
     for (size_t step = 1; step <= 5; step++) { /* runs of `step` equal numbers */
       for (size_t i = 0; i < n; i++) x[i] = (double)(i / step) - 3.0;
       check_all(n, x);

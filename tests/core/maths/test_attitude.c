@@ -72,16 +72,16 @@ static const struct known {
 };
 enum { KNOWN = sizeof known / sizeof *known };
 
-static double apart(int n, const double x[], const double y[]) {
-  double most = 0.0;
-  for (int i = 0; i < n; i++) most = fmax(most, fabs(x[i] - y[i]));
-  return most;
+static double difference(int n, const double x[], const double y[]) {
+  double max = 0.0;
+  for (int i = 0; i < n; i++) max = fmax(max, fabs(x[i] - y[i]));
+  return max;
 }
 
 /* q and -q are one attitude. */
 static double off(const double p[4], const double q[4]) {
   const double minus[4] = {-q[0], -q[1], -q[2], -q[3]};
-  return fmin(apart(4, p, q), apart(4, p, minus));
+  return fmin(difference(4, p, q), difference(4, p, minus));
 }
 
 static void check_known(void) {
@@ -98,16 +98,16 @@ static void check_known(void) {
     ROT_CHECK(rot_attitude_from(ROT_FORM_RODRIGUES, k->p, NULL, q) == 0.0);
     ROT_CHECK(off(q, k->q) <= 4.0 * ROT_EPS);
     rot_attitude_to(ROT_FORM_MATRIX, k->q, NULL, x);
-    ROT_CHECK(apart(9, x, k->r) <= 8.0 * ROT_EPS);
+    ROT_CHECK(difference(9, x, k->r) <= 8.0 * ROT_EPS);
     rot_attitude_to(ROT_FORM_VECTOR, k->q, NULL, x);
     for (int c = 0; c < 3; c++) largest = fmax(largest, fabs(k->vector[c]));
-    ROT_CHECK(apart(3, x, k->vector) <= 8.0 * ROT_EPS * largest);
+    ROT_CHECK(difference(3, x, k->vector) <= 8.0 * ROT_EPS * largest);
     rot_attitude_to(ROT_FORM_RODRIGUES, k->q, NULL, x);
-    ROT_CHECK(apart(3, x, k->p) <= 4.0 * ROT_EPS);
+    ROT_CHECK(difference(3, x, k->p) <= 4.0 * ROT_EPS);
     double axis[4];
     rot_attitude_to(ROT_FORM_AXIS_ANGLE, k->q, NULL, axis);
     for (int c = 0; c < 3; c++) x[c] = axis[c] * axis[3];
-    ROT_CHECK(apart(3, x, k->vector) <= 8.0 * ROT_EPS * largest);
+    ROT_CHECK(difference(3, x, k->vector) <= 8.0 * ROT_EPS * largest);
     axis[0] *= 3e7, axis[1] *= 3e7, axis[2] *= 3e7; /* its length has no effect */
     ROT_CHECK(rot_attitude_from(ROT_FORM_AXIS_ANGLE, axis, NULL, q) == 0.0);
     ROT_CHECK(off(q, k->q) <= 6.0 * ROT_EPS);
@@ -167,14 +167,14 @@ static void check_sequences(void) {
       ROT_CHECK(rot_attitude_from(ROT_FORM_EULER, x, &s, q) == 0.0);
       double m[9];
       rot_attitude_to(ROT_FORM_MATRIX, q, NULL, m);
-      ROT_CHECK(apart(9, m, r) <= 12.0 * ROT_EPS);
+      ROT_CHECK(difference(9, m, r) <= 12.0 * ROT_EPS);
       const int lock = rot_attitude_to(ROT_FORM_EULER, q, &s, back);
       ROT_CHECK(rot_attitude_from(ROT_FORM_EULER, back, &s, p) == 0.0);
       worst = fmax(worst, rot_attitude_angle(p, q)); /* at and next to the lock, too */
       ROT_CHECK(same ? back[1] >= 0.0 && back[1] <= pi : fabs(back[1]) <= 0.5 * pi);
       ROT_CHECK(fabs(back[0]) <= pi && fabs(back[2]) <= pi);
       if (i < 100) {
-        ROT_CHECK(!lock && apart(3, x, back) <= 200.0 * ROT_EPS);
+        ROT_CHECK(!lock && difference(3, x, back) <= 200.0 * ROT_EPS);
       } else if (i >= 190) {
         ROT_CHECK(lock && back[2] == 0.0);
       } else {
@@ -250,12 +250,12 @@ static void check_turns(void) {
     }
     rot_attitude_to_space(known[i].q, v, s);
     rot_attitude_to_body(known[i].q, s, b);
-    ROT_CHECK(apart(3, s, r) <= 16.0 * ROT_EPS && apart(3, b, v) <= 24.0 * ROT_EPS);
+    ROT_CHECK(difference(3, s, r) <= 16.0 * ROT_EPS && difference(3, b, v) <= 24.0 * ROT_EPS);
     double pq[4], first[3], both[3];
     rot_attitude_times(known[0].q, known[i].q, pq);
     rot_attitude_to_space(known[0].q, s, first);
     rot_attitude_to_space(pq, v, both);
-    ROT_CHECK(apart(3, first, both) <= 32.0 * ROT_EPS);
+    ROT_CHECK(difference(3, first, both) <= 32.0 * ROT_EPS);
   }
 }
 

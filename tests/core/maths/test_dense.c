@@ -7,10 +7,10 @@
 
 static double power(double t, int k) { return k == 0 ? 1.0 : pow(t, k); }
 
-static rot_dense nodes(size_t n, int slopes, int k, double growth) {
+static rot_dense nodes(size_t n, int slopes, int k, double propagation) {
   rot_dense d = {1, 0, 0, slopes, NULL};
   double t = 0.3, h = 0.05;
-  for (size_t i = 0; i < n; i++, t += h, h *= growth) {
+  for (size_t i = 0; i < n; i++, t += h, h *= propagation) {
     const double y = power(t, k), f = k ? k * power(t, k - 1) : 0.0;
     ROT_CHECK_EQ_INT(rot_dense_insert(&d, d.count, t, &y, &f), ROT_OK);
   }
@@ -26,11 +26,11 @@ static void check_polynomials(void) {
         const double a = rot_dense_node(&d, i)[0], b = rot_dense_node(&d, i + 1)[0];
         const double t = a + 0.37 * (b - a);
         const rot_dense_form form = rot_dense_between(&d, i, 0);
-        double slope, share, slope_share;
-        const double y = rot_dense_at(&form, t, &slope, &share, &slope_share);
+        double slope, fraction, slope_fraction;
+        const double y = rot_dense_at(&form, t, &slope, &fraction, &slope_fraction);
         ROT_CHECK_REL(y, power(t, k), 1e-11);
         if (k) ROT_CHECK_REL(slope, k * power(t, k - 1), 1e-9);
-        if (slopes && k < 12) ROT_CHECK(share <= 1e-12 * power(t, k));
+        if (slopes && k < 12) ROT_CHECK(fraction <= 1e-12 * power(t, k));
       }
       rot_dense_free(&d);
     }
@@ -38,7 +38,7 @@ static void check_polynomials(void) {
 }
 
 /* The share is more than the error, and not without measure. */
-static void check_share(void) {
+static void check_fraction(void) {
   rot_dense d = {1, 0, 0, 1, NULL};
   for (int i = 0; i < 12; i++) {
     const double t = 0.7 * i + 0.05 * (i % 3), y = sin(t), f = cos(t);
@@ -47,16 +47,16 @@ static void check_share(void) {
   for (size_t i = 0; i + 1 < d.count; i++) {
     const rot_dense_form form = rot_dense_between(&d, i, 0);
     const double t = 0.5 * (rot_dense_node(&d, i)[0] + rot_dense_node(&d, i + 1)[0]);
-    double slope, share, slope_share;
-    const double error = fabs(rot_dense_at(&form, t, &slope, &share, &slope_share) - sin(t));
-    ROT_CHECK(error <= share && share < 1e-6);
-    ROT_CHECK(fabs(slope - cos(t)) <= slope_share);
+    double slope, fraction, slope_fraction;
+    const double error = fabs(rot_dense_at(&form, t, &slope, &fraction, &slope_fraction) - sin(t));
+    ROT_CHECK(error <= fraction && fraction < 1e-6);
+    ROT_CHECK(fabs(slope - cos(t)) <= slope_fraction);
   }
   rot_dense_free(&d);
 }
 
 /* A slope within the interval, then another: each mends most of the error that is left. */
-static void check_mends(void) {
+static void check_corrections(void) {
   rot_dense d = {1, 0, 0, 1, NULL};
   for (int i = 0; i < 4; i++) {
     const double t = 0.5 * i, y = sin(t), f = cos(t);
@@ -65,20 +65,20 @@ static void check_mends(void) {
   for (size_t i = 0; i + 1 < d.count; i++) {
     rot_dense_form form = rot_dense_between(&d, i, 0);
     double before = INFINITY;
-    for (int k = 0; k <= ROT_DENSE_MENDS; k++) {
-      double worst = 0.0, most = 0.0;
+    for (int k = 0; k <= ROT_DENSE_CORRECTIONS; k++) {
+      double worst = 0.0, max = 0.0;
       for (int j = 0; j <= 20; j++) {
         const double t = form.start + form.width * j / 20.0;
-        double share;
-        worst = fmax(worst, fabs(rot_dense_at(&form, t, NULL, &share, NULL) - sin(t)));
-        most = fmax(most, share);
+        double fraction;
+        worst = fmax(worst, fabs(rot_dense_at(&form, t, NULL, &fraction, NULL) - sin(t)));
+        max = fmax(max, fraction);
       }
-      ROT_CHECK(worst <= 0.3 * before && worst <= most);
+      ROT_CHECK(worst <= 0.3 * before && worst <= max);
       before = worst;
-      if (k == ROT_DENSE_MENDS) continue;
-      const double at = rot_dense_mend_at(&form);
+      if (k == ROT_DENSE_CORRECTIONS) continue;
+      const double at = rot_dense_correction_at(&form);
       double slope;
-      rot_dense_mend(&form, cos(at));
+      rot_dense_correct(&form, cos(at));
       rot_dense_at(&form, at, &slope, NULL, NULL);
       ROT_CHECK_ULP(slope, cos(at), 64);
     }
@@ -92,9 +92,10 @@ static void check_growing_steps(void) {
   for (size_t i = 0; i + 1 < d.count; i++) {
     const rot_dense_form form = rot_dense_between(&d, i, 0);
     const double t = 0.5 * (rot_dense_node(&d, i)[0] + rot_dense_node(&d, i + 1)[0]);
-    double share;
-    ROT_CHECK_REL(rot_dense_at(&form, t, NULL, &share, NULL), t, 1e-15);
-    if (form.terms > form.share) ROT_CHECK(share <= 1e-12 * t); /* else there is none to tell */
+    double fraction;
+    ROT_CHECK_REL(rot_dense_at(&form, t, NULL, &fraction, NULL), t, 1e-15);
+    if (form.terms > form.fraction)
+      ROT_CHECK(fraction <= 1e-12 * t); /* else there is none to tell */
   }
   rot_dense_free(&d);
 }
@@ -116,8 +117,8 @@ static void check_list(void) {
 
 int main(void) {
   check_polynomials();
-  check_share();
-  check_mends();
+  check_fraction();
+  check_corrections();
   check_growing_steps();
   check_list();
   return rot_test_report("dense");

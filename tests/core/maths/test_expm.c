@@ -13,11 +13,11 @@ static void check_exponential(void) {
     a[3] = angle[i];
     a[8] = -0.5;
     ROT_CHECK_EQ_INT(rot_expm(3, a, e, work, NULL), ROT_OK);
-    const double most = 4e-16 * (1.0 + angle[i]);
-    ROT_CHECK(fabs(e[0] - cos(angle[i])) <= most);
-    ROT_CHECK(fabs(e[1] + sin(angle[i])) <= most);
-    ROT_CHECK(fabs(e[3] - sin(angle[i])) <= most);
-    ROT_CHECK(fabs(e[8] - exp(-0.5)) <= most);
+    const double max = 4e-16 * (1.0 + angle[i]);
+    ROT_CHECK(fabs(e[0] - cos(angle[i])) <= max);
+    ROT_CHECK(fabs(e[1] + sin(angle[i])) <= max);
+    ROT_CHECK(fabs(e[3] - sin(angle[i])) <= max);
+    ROT_CHECK(fabs(e[8] - exp(-0.5)) <= max);
     ROT_CHECK(e[2] == 0.0 && e[6] == 0.0);
     if (i > 3) continue;
     gsl_matrix_view from = gsl_matrix_view_array(a, 3, 3), to = gsl_matrix_view_array(turned, 3, 3);

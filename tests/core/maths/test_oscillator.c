@@ -51,7 +51,7 @@ static void textbook(void) {
 }
 
 /* u psi_0 + (k/I) psi_1^2 = exp(-c s/I), and a step back undoes a step. */
-static void determinant_and_way_back(void) {
+static void determinant_and_direction_back(void) {
   for (int i = 0; i < SCENES; i++)
     for (double s = 1e-3; s < 3.0; s *= 2.3) {
       rot_oscillator oscillator;
@@ -135,7 +135,7 @@ static void out_of_range(void) {
 int main(void) {
   regimes();
   textbook();
-  determinant_and_way_back();
+  determinant_and_direction_back();
   integrals();
   wave();
   resonance();

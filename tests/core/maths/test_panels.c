@@ -44,11 +44,11 @@ static void check_closed_forms(void) {
 }
 
 /* What it is added to is so large that one halving more is of no use. */
-static void check_least(void) {
-  const double edge[] = {0.0, 3.0}, least[] = {1e30, 1e30, 1e30};
+static void check_min(void) {
+  const double edge[] = {0.0, 3.0}, min[] = {1e30, 1e30, 1e30};
   double value[3], error[3], size[3];
   calls c = {0, 0, ROT_OK};
-  const rot_panels p = {3, 1, edge, least, value, error, size};
+  const rot_panels p = {3, 1, edge, min, value, error, size};
   ROT_CHECK_EQ_INT(rot_panels_integrate(&p, rates, &c), ROT_OK);
   ROT_CHECK(c.n == 15 && error[1] > 0.01);
 }
@@ -75,7 +75,7 @@ static void check_ends(void) {
 
 int main(void) {
   check_closed_forms();
-  check_least();
+  check_min();
   check_ends();
   return rot_test_report("panels");
 }

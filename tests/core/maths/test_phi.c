@@ -167,8 +167,8 @@ enum { REFERENCES = sizeof reference / sizeof reference[0] };
 
 /* Allowed ulps: an ulp at most above what a million random arguments between -10 and 10 showed. */
 static double allowed(double z, int k) {
-  static const double most[2][ROT_PHI_MAX + 1] = {{1, 2, 3, 3, 3, 4, 4}, {1, 2, 3, 3, 3, 4, 4}};
-  return most[z < 0.0][k];
+  static const double max[2][ROT_PHI_MAX + 1] = {{1, 2, 3, 3, 3, 4, 4}, {1, 2, 3, 3, 3, 4, 4}};
+  return max[z < 0.0][k];
 }
 static const double allowed_g1 = 5.0;
 
@@ -222,11 +222,11 @@ static void check_random_arguments(void) {
                                     : i % 4 == 2 ? 2.0 * u - 1.0
                                                  : pow(10.0, 1.0 - 13.0 * u);
     const int k_max = 1 + i / 4 % ROT_PHI_MAX;
-    double phi[ROT_PHI_MAX + 1], *most = worst[z < 0.0];
+    double phi[ROT_PHI_MAX + 1], *max = worst[z < 0.0];
     rot_phi(z, 0.0, k_max, phi);
-    for (int k = 0; k <= k_max; k++) most[k] = fmax(most[k], rot_test_ulp(phi[k], phi_dd(z, k).hi));
+    for (int k = 0; k <= k_max; k++) max[k] = fmax(max[k], rot_test_ulp(phi[k], phi_dd(z, k).hi));
     const rot_dd g1 = rot_dd_sub(phi_dd(z, 1), phi_dd(z, 2));
-    most[G1] = fmax(most[G1], rot_test_ulp(rot_phi_g1(z, phi[0], phi[1]), g1.hi));
+    max[G1] = fmax(max[G1], rot_test_ulp(rot_phi_g1(z, phi[0], phi[1]), g1.hi));
   }
   for (int k = 0; k <= ROT_PHI_MAX; k++) {
     printf("phi_%d: worst %g ulp for z >= 0, %g for z < 0\n", k, worst[0][k], worst[1][k]);

@@ -43,7 +43,7 @@ static int cube(double t, const double y[], double f[], void *ctx) {
   return 0;
 }
 
-static double march(int n, double end, long *calls) {
+static double stepping(int n, double end, long *calls) {
   rot_radau *r = rot_radau_alloc(1, 1);
   double y[] = {1.0}, error[1], allowed[] = {1e-7};
   for (int i = 0; i < n; i++) {
@@ -57,7 +57,7 @@ static double march(int n, double end, long *calls) {
 
 static void check_order(void) {
   long calls = 0;
-  const double coarse = march(6, 2.0, &calls), fine = march(12, 2.0, &calls);
+  const double coarse = stepping(6, 2.0, &calls), fine = stepping(12, 2.0, &calls);
   printf("order %.2f, %.1f calls a step\n", log2(fabs(coarse / fine)), (double)calls / 18.0);
   ROT_CHECK(log2(fabs(coarse / fine)) > 8.0);
   ROT_CHECK(calls < 18 * 45);
@@ -78,7 +78,7 @@ static void check_stiff(void) {
 }
 
 /* What grows by more than exp(4) in a step is not for it, whichever component grows. */
-static int apart(double t, const double y[], double f[], void *ctx) {
+static int difference(double t, const double y[], double f[], void *ctx) {
   const double *rate = ctx;
   (void)t;
   f[0] = rate[0] * y[0];
@@ -86,14 +86,14 @@ static int apart(double t, const double y[], double f[], void *ctx) {
   return 0;
 }
 
-static void check_growth(void) {
+static void check_propagation(void) {
   for (int first = 0; first < 2; first++) {
     for (int fast = 0; fast < 2; fast++) {
       double rate[2] = {-1.0, -1.0}, y[] = {1.0, 1.0}, error[2];
       rate[first] = fast ? 4.2 : 3.8;
       const double slope[] = {rate[0], rate[1]}, allowed[] = {1e-3, 1e-3};
       rot_radau *r = rot_radau_alloc(2, 2);
-      ROT_CHECK_EQ_INT(rot_radau_step(r, apart, rate, 0.0, 1.0, y, error, slope, allowed),
+      ROT_CHECK_EQ_INT(rot_radau_step(r, difference, rate, 0.0, 1.0, y, error, slope, allowed),
                        fast ? ROT_RADAU_DIVERGED : ROT_RADAU_OK);
       rot_radau_free(r);
     }
@@ -153,7 +153,7 @@ int main(void) {
   check_coefficients();
   check_order();
   check_stiff();
-  check_growth();
+  check_propagation();
   check_stop();
   check_digits();
   return rot_test_report("radau");

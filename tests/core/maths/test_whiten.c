@@ -64,18 +64,18 @@ static void check_white(void) {
 }
 
 /* The most columns at once give what each gives alone; one more is refused, and nothing changes. */
-static void check_most_columns(void) {
-  enum { MOST = ROT_WHITEN_COLUMNS };
+static void check_max_columns(void) {
+  enum { MAX = ROT_WHITEN_COLUMNS };
   const rot_noise noise = {0.4, 0.3};
-  double t[3] = {0.0, 0.1, 0.3}, x[3 * MOST], alone[3], many[3 * (MOST + 1)];
-  for (int i = 0; i < 3 * MOST; i++) x[i] = sin(i + 1.0);
-  for (int i = 0; i < 3; i++) alone[i] = x[i * MOST + MOST - 1];
-  ROT_CHECK(rot_whiten(&noise, 3, t, MOST, x, NULL) == ROT_OK);
+  double t[3] = {0.0, 0.1, 0.3}, x[3 * MAX], alone[3], many[3 * (MAX + 1)];
+  for (int i = 0; i < 3 * MAX; i++) x[i] = sin(i + 1.0);
+  for (int i = 0; i < 3; i++) alone[i] = x[i * MAX + MAX - 1];
+  ROT_CHECK(rot_whiten(&noise, 3, t, MAX, x, NULL) == ROT_OK);
   ROT_CHECK(rot_whiten(&noise, 3, t, 1, alone, NULL) == ROT_OK);
-  for (int i = 0; i < 3; i++) ROT_CHECK(x[i * MOST + MOST - 1] == alone[i]);
-  for (int i = 0; i < 3 * (MOST + 1); i++) many[i] = i;
-  ROT_CHECK(rot_whiten(&noise, 3, t, MOST + 1, many, NULL) == ROT_EVALUE);
-  for (int i = 0; i < 3 * (MOST + 1); i++) ROT_CHECK(many[i] == i);
+  for (int i = 0; i < 3; i++) ROT_CHECK(x[i * MAX + MAX - 1] == alone[i]);
+  for (int i = 0; i < 3 * (MAX + 1); i++) many[i] = i;
+  ROT_CHECK(rot_whiten(&noise, 3, t, MAX + 1, many, NULL) == ROT_EVALUE);
+  for (int i = 0; i < 3 * (MAX + 1); i++) ROT_CHECK(many[i] == i);
 }
 
 /* Twice the restricted log likelihood of r for the columns J = (1, t), by the definition:
@@ -161,7 +161,7 @@ static void check_columns(void) {
 /* The search ends where twice the log likelihood is known to 1e-3: some dozen values of it. */
 static void check_effort(void) {
   uint64_t seed = 5;
-  size_t most = 0;
+  size_t max = 0;
   for (int trial = 0; trial < 40; trial++) {
     double t[N], r[N], J[N], e = normal(&seed);
     for (int i = 0; i < N; i++) {
@@ -172,16 +172,16 @@ static void check_effort(void) {
     }
     rot_reml out;
     ROT_CHECK(rot_whiten_reml(N, t, 1, J, r, 2.0, 2.0, NULL, NULL, &out) == ROT_OK);
-    if (out.evaluations > most) most = out.evaluations;
+    if (out.evaluations > max) max = out.evaluations;
   }
-  printf("most values of the likelihood: %zu\n", most);
-  ROT_CHECK(most < 400);
+  printf("most values of the likelihood: %zu\n", max);
+  ROT_CHECK(max < 400);
 }
 
 int main(void) {
   check_dense();
   check_white();
-  check_most_columns();
+  check_max_columns();
   check_reml();
   check_columns();
   check_effort();

@@ -151,7 +151,7 @@ static void check_rows(void) {
 
 /* The general flow, which negative losses take, against that of rot_drag, where both hold: a loss
  * of -1e-300 changes nothing but the way. */
-static void check_ways(void) {
+static void check_directions(void) {
   uint64_t seed = 11;
   for (int trial = 0; trial < 2000; trial++) {
     double p[P] = {0}, q[P], t[ROWS], theta[ROWS], omega[ROWS], other[ROWS], rate[ROWS];
@@ -270,7 +270,7 @@ int main(void) {
   check_weight();
   check_steps();
   check_rows();
-  check_ways();
+  check_directions();
   check_derivatives();
   check_load();
   check_ends();

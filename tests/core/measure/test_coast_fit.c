@@ -5,7 +5,7 @@
 #include "ground/gsl.h"
 #include "rot_test.h"
 
-enum { P = ROT_COAST_PARAMETERS, ALL = ROT_COAST_ALL, MOST = 400 };
+enum { P = ROT_COAST_PARAMETERS, ALL = ROT_COAST_ALL, MAX = 400 };
 
 static double uniform(uint64_t *state) {
   *state = *state * 6364136223846793005u + 1442695040888963407u;
@@ -18,7 +18,7 @@ static double normal(uint64_t *state) {
 }
 
 typedef struct sample {
-  double t[MOST], y[MOST];
+  double t[MAX], y[MAX];
   rot_coast_record record;
   int fitted[ALL];
 } sample;
@@ -27,7 +27,7 @@ typedef struct sample {
 static void make(sample *s, rot_coast_kind kind, size_t n, double end, const double p[P],
                  double sigma, uint64_t *seed) {
   const rot_coast_load none = {0.0, 0.0, 0, 0, NULL, NULL};
-  double theta[MOST], omega[MOST];
+  double theta[MAX], omega[MAX];
   static const int all[ALL] = {1, 1, 1, 1, 1};
   for (size_t i = 0; i < n; i++) s->t[i] = end * (double)i / (double)(n - 1);
   ROT_CHECK(rot_coast_rows(&none, p, 0.0, n, s->t, theta, omega, NULL, NULL) == ROT_OK);
@@ -132,7 +132,7 @@ static void check_runout(void) {
     const int uneven = trial % 2;
     make(&s, ROT_COAST_ANGLES, 300, 6.0, p, 0.01, &seed);
     const rot_coast_load none = {0.0, 0.0, 0, 0, NULL, NULL};
-    double theta[MOST], omega[MOST], residual[MOST];
+    double theta[MAX], omega[MAX], residual[MAX];
     rot_coast_rows(&none, p, 0.0, 300, s.t, theta, omega, NULL, NULL);
     for (int i = 0; i < 300 && uneven; i++) s.y[i] += 0.02 * cos(theta[i] - 0.7);
     rot_coast_fit fit = start_at(10.0);
@@ -158,7 +158,7 @@ static void check_weight(void) {
   const rot_coast_load load = {2.0, 0.1,  1,
                                0,   NULL, NULL}; /* of an inertia guessed 1.3 times too large */
   const double p[P] = {0.0, 0.0, 0.3, 0.02, 0.002, 1.3, 5.0};
-  double theta[MOST], omega[MOST];
+  double theta[MAX], omega[MAX];
   sample s;
   make(&s, ROT_COAST_ANGLES, 300, 15.0, p, 0.0, &seed);
   ROT_CHECK(rot_coast_rows(&load, p, 0.0, 300, s.t, theta, omega, NULL, NULL) == ROT_OK);
@@ -191,8 +191,8 @@ static void check_far_starts(void) {
   const rot_coast_record record = {ROT_COAST_ANGLES, N, t, y, none};
   int arrived = 0;
   for (int i = 0; i < 16; i++) {
-    static const double share[4] = {0.05, 0.3, 2.0, 0.7};
-    rot_coast_fit fit = start_at(50.0 * share[i % 4]);
+    static const double fraction[4] = {0.05, 0.3, 2.0, 0.7};
+    rot_coast_fit fit = start_at(50.0 * fraction[i % 4]);
     fit.p[ROT_COAST_COULOMB] = 0.05 * (i / 4 % 2);
     fit.p[ROT_COAST_VISCOUS] = i % 4 == 3 ? 0.02 : i < 8 ? 0.1 : 0.5;
     const rot_status status = rot_coast_solve(&record, fitted, NULL, &fit);

@@ -8,7 +8,7 @@
 
 #include "rot_test.h"
 
-enum { P = ROT_SMOOTH_MOST };
+enum { P = ROT_SMOOTH_MAX };
 
 /* Uniform and normal numbers, of this file alone. */
 static uint64_t seed = 20221;
@@ -47,9 +47,9 @@ static quad factorial(int n) {
   return y;
 }
 
-enum { WIDE = 2 * P + 1 };
+enum { SIMD = 2 * P + 1 };
 
-static void quad_triangle(quad m[][WIDE], int rows, int columns) {
+static void quad_triangle(quad m[][SIMD], int rows, int columns) {
   for (int c = 0; c < columns && c < rows; c++) {
     quad square = 0;
     for (int r = c + 1; r < rows; r++) square += m[r][c] * m[r][c];
@@ -69,7 +69,7 @@ static void quad_triangle(quad m[][WIDE], int rows, int columns) {
 }
 
 /* L^-1 (-A | 1) of a gap: p rows, 2p columns, and a right-hand side of 0. */
-static void transition(const rot_smooth_model *model, quad s, quad out[][WIDE]) {
+static void transition(const rot_smooth_model *model, quad s, quad out[][SIMD]) {
   const int p = model->order;
   quad l[P][P];
   for (int i = 0; i < p; i++)
@@ -81,7 +81,7 @@ static void transition(const rot_smooth_model *model, quad s, quad out[][WIDE]) 
       l[i][j] = i == j ? quad_root(l[i][j]) : l[i][j] / l[j][j];
     }
   for (int i = 0; i < p; i++)
-    for (int c = 0; c < WIDE; c++) {
+    for (int c = 0; c < SIMD; c++) {
       const int j = c - p;
       quad entry = c >= 2 * p ? 0 : j >= 0 ? (quad)(i == j) : 0;
       if (c < p && c >= i)
@@ -93,14 +93,14 @@ static void transition(const rot_smooth_model *model, quad s, quad out[][WIDE]) 
 
 static void exact_smoother(const rot_smooth_nodes *nodes, const rot_smooth_model *model, quad *mean,
                            quad *covariance) {
-  const int p = model->order, wide = 2 * p + 1;
+  const int p = model->order, simd = 2 * p + 1;
   const size_t n = nodes->n;
-  quad(*kept)[P][WIDE] = calloc(n, sizeof *kept); /* R, T, z: R x = z - T x+ */
-  quad info[P + 1][WIDE];                         /* of the node: p columns and z, by triangle */
+  quad(*kept)[P][SIMD] = calloc(n, sizeof *kept); /* R, T, z: R x = z - T x+ */
+  quad info[P + 1][SIMD];                         /* of the node: p columns and z, by triangle */
   memset(info, 0, sizeof info);
   for (size_t k = 0; k < n; k++) {
     if (k > 0) {
-      quad m[2 * P][WIDE], over[P][WIDE];
+      quad m[2 * P][SIMD], over[P][SIMD];
       memset(m, 0, sizeof m);
       transition(model, nodes->gap[k], over);
       for (int r = 0; r < p; r++) {
@@ -108,7 +108,7 @@ static void exact_smoother(const rot_smooth_nodes *nodes, const rot_smooth_model
         m[r][2 * p] = info[r][p];
         memcpy(m[p + r], over[r], sizeof over[r]);
       }
-      quad_triangle(m, 2 * p, wide);
+      quad_triangle(m, 2 * p, simd);
       memcpy(kept[k - 1], m, (size_t)p * sizeof m[0]);
       memset(info, 0, sizeof info);
       for (int r = 0; r < p; r++)
@@ -123,10 +123,10 @@ static void exact_smoother(const rot_smooth_nodes *nodes, const rot_smooth_model
       }
   }
   for (int r = 0; r < p; r++)
-    for (int c = 0; c < wide; c++)
+    for (int c = 0; c < simd; c++)
       kept[n - 1][r][c] = c < p ? info[r][c] : c == 2 * p ? info[r][p] : 0;
   for (size_t k = n; k-- > 0;) {
-    quad(*row)[WIDE] = kept[k];
+    quad(*row)[SIMD] = kept[k];
     quad *x = mean + k * (size_t)p, *cov = covariance + k * (size_t)(p * p), inverse[P][P];
     const quad *next = k + 1 < n ? x + p : NULL, *after = k + 1 < n ? cov + p * p : NULL;
     memset(inverse, 0, sizeof inverse);
@@ -201,9 +201,9 @@ static void against_quadruple(int p, double lambda, int rates) {
   for (int k = 0; k < N; k++)
     for (int i = 0; i < 3; i++) {
       const double variance = (double)covariance[(k * p + i) * p + i];
-      const double apart = (double)((quad)got[k * p + i] - mean[k * p + i]);
+      const double difference = (double)((quad)got[k * p + i] - mean[k * p + i]);
       worst = fmax(worst, fabs(sqrt(cov[6 * k + at[i]] / variance) - 1.0));
-      off = fmax(off, fabs(apart) / sqrt(variance));
+      off = fmax(off, fabs(difference) / sqrt(variance));
     }
   ROT_CHECK(worst <= 1e-5);
   ROT_CHECK(off <= 1e-4);
@@ -488,17 +488,17 @@ static void refined(void) {
     kept = fit;
     ROT_CHECK(rot_smooth_refine(&of.record, 0, NULL, 4, NULL, &fit) == ROT_OK);
     ROT_CHECK_EQ_INT(fit.model.order, 4);
-    const double least = validation(&of.record, &fit.model, &objective);
+    const double min = validation(&of.record, &fit.model, &objective);
     ROT_CHECK_REL(fit.objective, objective, 1e-10);
     if (fit.model.lambda < kept.model.lambda) {
       lowered++;
-      ROT_CHECK(least < validation(&of.record, &kept.model, &before) - 0.45);
+      ROT_CHECK(min < validation(&of.record, &kept.model, &before) - 0.45);
       ROT_CHECK(objective > before && fit.sigma > kept.sigma);
     } else
       ROT_CHECK_REL(fit.model.lambda, kept.model.lambda, 1e-12);
     const rot_smooth_model beyond = {4, fit.model.lambda * pow(10.0, -0.25)};
     if (fit.model.lambda > 0.06 * kept.model.lambda)
-      ROT_CHECK(validation(&of.record, &beyond, &before) > least - 0.55);
+      ROT_CHECK(validation(&of.record, &beyond, &before) > min - 0.55);
     ROT_CHECK(rot_smooth_refine(&of.record, 0, NULL, 5, NULL, &kept) == ROT_OK);
     ROT_CHECK(kept.model.order >= 4);
   }
@@ -516,11 +516,11 @@ static void refined(void) {
     ROT_CHECK(rot_smooth_refine(&of.record, 0, NULL, 5, NULL, &fit) == ROT_OK);
     ROT_CHECK_EQ_INT(fit.model.order, 5);
     /* Its lambda is the likelihood's, some quarters of a decade lowered. */
-    double least = HUGE_VAL, best = 0.0;
+    double min = HUGE_VAL, best = 0.0;
     for (double up = -0.5; up < 1.6; up += 0.01) {
       const rot_smooth_model model = {5, fit.model.lambda * pow(10.0, up)};
       const double objective = likelihood(&of.record, &model);
-      if (objective < least) least = objective, best = up;
+      if (objective < min) min = objective, best = up;
     }
     const double quarters = best / 0.25;
     ROT_CHECK(fabs(quarters - round(quarters)) < 0.16 && quarters > -0.2);
@@ -577,11 +577,11 @@ static void random_nodes(void) {
 /* Covariance of a p-fold integral of white noise of density 1, both from 0: by expansion about the
  * earlier time, the integral of (t - v)^(p-1) (s - v)^(p-1)/(p-1)!^2 from 0 to the smaller. */
 static double covariance_of(double t, double s, int p) {
-  const double apart = fabs(t - s), least = fmin(t, s);
-  double sum = 0.0, ways = 1.0, whole = 1.0;
+  const double difference = fabs(t - s), min = fmin(t, s);
+  double sum = 0.0, directions = 1.0, whole = 1.0;
   for (int j = 0; j < p; j++) {
-    sum += ways * pow(apart, p - 1 - j) * pow(least, p + j) / (p + j);
-    ways *= (double)(p - 1 - j) / (j + 1);
+    sum += directions * pow(difference, p - 1 - j) * pow(min, p + j) / (p + j);
+    directions *= (double)(p - 1 - j) / (j + 1);
   }
   for (int j = 2; j < p; j++) whole *= j;
   return sum / (whole * whole);

@@ -122,10 +122,10 @@ static void check_derivatives(void) {
         ROT_CHECK(rot_swing_rows(&moved, 0.0, N, t, NULL, x[side], unused) == ROT_OK);
       }
       for (int i = 0; i < N; i++) {
-        const double wide = (x[0][i] - x[1][i]) / (2 * h), near = (x[2][i] - x[3][i]) / h;
+        const double simd = (x[0][i] - x[1][i]) / (2 * h), near = (x[2][i] - x[3][i]) / h;
         /* A rate has a kink where friction reverses: not at 1e-4 around it. */
         const int kink = (kind >> 1 & 1) && fabs(y[i]) < 0.03;
-        const double want = (4.0 * near - wide) / 3.0;
+        const double want = (4.0 * near - simd) / 3.0;
         if (!kink) ROT_CHECK(fabs(d[i * P + j] - want) < 2e-9 * fmax(1.0, fabs(want)));
       }
       for (int side = 0; side < 4; side++) {
@@ -135,8 +135,8 @@ static void check_derivatives(void) {
         ROT_CHECK(m == n);
       }
       for (size_t i = 0; i < n; i++) {
-        const double wide = (x[0][i] - x[1][i]) / (2 * h), near = (x[2][i] - x[3][i]) / h;
-        const double want = (4.0 * near - wide) / 3.0;
+        const double simd = (x[0][i] - x[1][i]) / (2 * h), near = (x[2][i] - x[3][i]) / h;
+        const double want = (4.0 * near - simd) / 3.0;
         ROT_CHECK(fabs(de[i * P + (size_t)j] - want) < 2e-9 * fmax(1.0, fabs(want)));
       }
     }

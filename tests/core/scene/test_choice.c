@@ -27,7 +27,7 @@ static void check_lists(void) {
   for (size_t i = 0; i < n; i++) {
     const rot_constraint *c = list[i];
     ROT_CHECK(rot_choice_constraint(c->id) == c);
-    ROT_CHECK(c->n_effects <= ROT_MOST_EFFECTS && c->n_models <= ROT_MOST_MODELS);
+    ROT_CHECK(c->n_effects <= ROT_MAX_EFFECTS && c->n_models <= ROT_MAX_MODELS);
     for (size_t k = 0; k < c->n_effects; k++) {
       ROT_CHECK(*c->effects[k].name && *c->effects[k].words);
       for (size_t j = 0; j < k; j++) ROT_CHECK(strcmp(c->effects[k].name, c->effects[j].name));
@@ -93,7 +93,7 @@ static const rot_constraint toys = {.id = "toy",
                                     .drop = toy_drop};
 
 static void expect_pick(const toy *scene, double accuracy, const char *a, const char *b) {
-  rot_candidate picked[ROT_MOST_MODELS], all[ROT_MOST_MODELS];
+  rot_candidate picked[ROT_MAX_MODELS], all[ROT_MAX_MODELS];
   const rot_query q = query(0, NULL, accuracy);
   const size_t n = rot_choice_pick(&toys, scene, &q, picked);
   ROT_CHECK_EQ_INT(n, (a != NULL) + (b != NULL));
@@ -144,7 +144,7 @@ static void check_dropping(void) {
   few.n_models = 2;
   few.models = list;
   toy scene = {3u, {1.0, 0.0, 0.0, 3.0, 0.0}, 1e-10};
-  rot_candidate picked[ROT_MOST_MODELS], all[ROT_MOST_MODELS];
+  rot_candidate picked[ROT_MAX_MODELS], all[ROT_MAX_MODELS];
   rot_query q = query(0, NULL, 1e-9);
   ROT_CHECK_EQ_INT(rot_choice_pick(&few, &scene, &q, picked), 1);
   ROT_CHECK(picked[0].model == &list[0] && picked[0].dropped && picked[0].untaken == 2u);
@@ -185,7 +185,7 @@ static rot_term term(rot_term_kind kind, size_t length, const double x[]) {
 }
 
 static void expect_axle(const rot_axle_scene *scene, unsigned effects, const char *chosen) {
-  rot_candidate picked[ROT_MOST_MODELS];
+  rot_candidate picked[ROT_MAX_MODELS];
   const rot_query q = query(3, t, 1e-9);
   ROT_CHECK_EQ_INT(rot_axle_effects(scene), effects);
   ROT_CHECK_EQ_INT(rot_choice_pick(&rot_axle_constraint, scene, &q, picked), 1);
@@ -320,7 +320,7 @@ static void check_axle_reasons(void) {
 static void check_shaft_and_clutch(void) {
   const double ones[] = {1.0, 1.0, 1.0}, none[] = {0.0, 0.0, 0.0}, part[] = {1.0, 0.0};
   rot_shaft_params p = {3, ones, ones, none, none, none, none, ones, 0.0};
-  rot_candidate picked[ROT_MOST_MODELS];
+  rot_candidate picked[ROT_MAX_MODELS];
   rot_query q = query(2, before, 1e-9);
   ROT_CHECK_EQ_INT(rot_choice_pick(&rot_shaft_constraint, &p, &q, picked), 2);
   ROT_CHECK(picked[0].model->use == ROT_ON_TRIAL && picked[1].model->use == ROT_FREELY);

@@ -147,13 +147,13 @@ static void spin(const rot_collide_body *body, const double omega[3], double out
 static double size_of(const double a[3]) { return sqrt(dot(a, a)); }
 
 typedef struct balances {
-  double energy, growth, momentum, angular, cone, creates;
-  long touched, grips;
+  double energy, propagation, momentum, angular, cone, creates;
+  long touched, sticks;
 } balances;
 
 /* Balances relative to the largest terms, from the velocities after alone. */
 static void check_balances(const rot_collide_input *in, const rot_collide_end *end, balances *w) {
-  double before = 0.0, after = 0.0, momentum[3] = {0}, largest = 0.0, angular[3] = {0}, most = 0.0;
+  double before = 0.0, after = 0.0, momentum[3] = {0}, largest = 0.0, angular[3] = {0}, max = 0.0;
   const int bodies = isfinite(in->body[1].mass) ? 2 : 1;
   for (int b = 0; b < bodies; b++) {
     const rot_collide_body *body = &in->body[b];
@@ -169,19 +169,19 @@ static void check_balances(const rot_collide_input *in, const rot_collide_end *e
       angular[i] += l1[i] - l0[i] - lever[i];
     }
     largest = fmax(largest, body->mass * fmax(size_of(body->v), size_of(end->v[b])));
-    most = fmax(most, fmax(size_of(l0), size_of(l1)));
-    most = fmax(most, size_of(body->arm) * body->mass * fmax(size_of(body->v), size_of(end->v[b])));
+    max = fmax(max, fmax(size_of(l0), size_of(l1)));
+    max = fmax(max, size_of(body->arm) * body->mass * fmax(size_of(body->v), size_of(end->v[b])));
   }
   const double lost = end->normal_loss + end->friction_loss;
   w->energy = fmax(w->energy, fabs(before - after - lost) / before);
-  w->growth = fmax(w->growth, (after - before) / before);
+  w->propagation = fmax(w->propagation, (after - before) / before);
   if (bodies == 2) w->momentum = fmax(w->momentum, size_of(momentum) / largest);
-  w->angular = fmax(w->angular, size_of(angular) / most);
+  w->angular = fmax(w->angular, size_of(angular) / max);
   if (end->normal_impulse > 0.0 && isfinite(in->friction) && in->friction > 0.0)
     w->cone = fmax(w->cone, end->friction_impulse / (in->friction * end->normal_impulse) - 1.0);
   w->creates = fmax(w->creates, -lost / before);
   w->touched += end->normal_impulse > 0.0;
-  w->grips += end->normal_impulse > 0.0 && end->grips;
+  w->sticks += end->normal_impulse > 0.0 && end->sticks;
 }
 
 static void random_collisions(int n, double decades, rot_restitution law, balances *w) {
@@ -207,8 +207,8 @@ static void random_collisions(int n, double decades, rot_restitution law, balanc
   }
   printf("%d collisions, 1e%+g: energy %.2g, growth %.2g, momentum %.2g, angular %.2g, cone %.2g, "
          "%ld touch, %ld grip, created %.2g\n",
-         n, decades, w->energy, w->growth, w->momentum, w->angular, w->cone, w->touched, w->grips,
-         w->creates);
+         n, decades, w->energy, w->propagation, w->momentum, w->angular, w->cone, w->touched,
+         w->sticks, w->creates);
 }
 
 /* Energy never grows; what is lost is what the two parts say; momenta are kept. */
@@ -216,10 +216,11 @@ static void random_ordinary(void) {
   balances w;
   random_collisions(200000, 1.0, ROT_ENERGETIC, &w);
   ROT_CHECK(w.energy <= 1e-13);
-  ROT_CHECK(w.growth <= 1e-14);
+  ROT_CHECK(w.propagation <= 1e-14);
   ROT_CHECK(w.momentum <= 1e-14 && w.angular <= 1e-14);
   ROT_CHECK(w.cone <= 1e-14);
-  ROT_CHECK(10 * w.touched > 4 * rot_test_trials(200000) && 10 * w.grips > rot_test_trials(200000));
+  ROT_CHECK(10 * w.touched > 4 * rot_test_trials(200000) &&
+            10 * w.sticks > rot_test_trials(200000));
 }
 
 /* Lengths over 1e+-2, masses over 1e+-8: the contact's inertia has a condition of up to 1e8, which
@@ -228,7 +229,7 @@ static void random_extreme(void) {
   balances w;
   random_collisions(50000, 8.0, ROT_ENERGETIC, &w);
   ROT_CHECK(w.energy <= 1e-11);
-  ROT_CHECK(w.growth <= 1e-14);
+  ROT_CHECK(w.propagation <= 1e-14);
   ROT_CHECK(w.momentum <= 1e-14 && w.angular <= 1e-14);
   ROT_CHECK(w.cone <= 1e-14);
 }
@@ -267,7 +268,7 @@ static void balls_of_the_table(void) {
     in.body[0].v[2] = x[6];
     in.body[0].omega[1] = x[7]; /* rolls towards +x */
     ROT_CHECK(rot_collide(&in, &end) == ROT_COLLIDE_OK);
-    ROT_CHECK(end.grips == (x[8] != 0.0));
+    ROT_CHECK(end.sticks == (x[8] != 0.0));
     const double v = fabs(x[5]) + fabs(x[1] * x[7]) + end.friction_impulse / x[0] / x[2];
     const double off[] = {fabs(end.v[0][0] - x[9]) / v, fabs(end.v[0][2] - x[10]) / fabs(x[6]),
                           fabs(end.omega[0][1] - x[11]) * x[1] / v,
@@ -335,19 +336,19 @@ static void slip_from_rest(void) {
   in.body[0].v[2] = -1.0;
   const double ktn = -12.0 * x * -h, knn = 1.0 + 12.0 * x * x, ktt = 1.0 + 12.0 * h * h;
   ROT_CHECK(fabs(ktn / ktt) > mu);
-  const double way = ktn > 0.0 ? 1.0 : -1.0; /* of the slip */
-  const double rate = knn - mu * way * ktn;
+  const double sign = ktn > 0.0 ? 1.0 : -1.0; /* of the slip */
+  const double rate = knn - mu * sign * ktn;
   const double p = 1.5 / rate; /* p_c = 1/rate; work: e^2 of it, so 1 + e in one stage */
   ROT_CHECK(rot_collide(&in, &end) == ROT_COLLIDE_OK);
   ROT_CHECK_ULP(end.normal_impulse, p, 4);
-  ROT_CHECK_ULP(end.v[0][0], -mu * way * p, 4);
-  ROT_CHECK(!end.grips);
+  ROT_CHECK_ULP(end.v[0][0], -mu * sign * p, 4);
+  ROT_CHECK(!end.sticks);
   in.friction = 0.7; /* holds: u_t stays 0 */
   ROT_CHECK(fabs(ktn / ktt) < 0.7);
   ROT_CHECK(rot_collide(&in, &end) == ROT_COLLIDE_OK);
   ROT_CHECK_ULP(end.normal_impulse, 1.5 / (knn - ktn * ktn / ktt), 8);
   ROT_CHECK_ULP(end.v[0][0], -ktn / ktt * end.normal_impulse, 8);
-  ROT_CHECK(end.grips && end.friction_loss <= 0.0);
+  ROT_CHECK(end.sticks && end.friction_loss <= 0.0);
 }
 
 /* Powers of two in the units change no bit; the ends of the doubles are as good as the middle. */
@@ -378,7 +379,7 @@ static void any_units(void) {
         ROT_CHECK(ldexp(other.v[b][k], -70) == end.v[b][k]);
         ROT_CHECK(ldexp(other.omega[b][k], -30) == end.omega[b][k]);
       }
-    ROT_CHECK(other.grips == end.grips);
+    ROT_CHECK(other.sticks == end.sticks);
   }
 }
 

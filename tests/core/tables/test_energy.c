@@ -33,7 +33,7 @@ static void check_known_values(void) {
 }
 
 /* The rotational share is I omega^2/2, by another road. */
-static void check_rotational_share(void) {
+static void check_rotational_fraction(void) {
   for (double beta = 0.1; beta < 3.0; beta += 0.17) {
     partition(2.3, 0.7, beta, 5.1);
     ROT_CHECK_ULP(result[3][0], 0.5 * result[0][0] * result[1][0] * result[1][0], 8);
@@ -93,7 +93,7 @@ static void check_nan(void) {
 int main(void) {
   check_by_head();
   check_known_values();
-  check_rotational_share();
+  check_rotational_fraction();
   check_no_inertia();
   check_columns();
   check_range();

@@ -112,20 +112,20 @@ static void check_nan(void) {
 
 /* ---- the table ------------------------------------------------------------------------------ */
 
-enum { MOST_ROWS = 70000 };
-static double beta[MOST_ROWS], angle[MOST_ROWS], height[MOST_ROWS], gravity[MOST_ROWS];
-static double result[4][MOST_ROWS];
+enum { MAX_ROWS = 70000 };
+static double beta[MAX_ROWS], angle[MAX_ROWS], height[MAX_ROWS], gravity[MAX_ROWS];
+static double result[4][MAX_ROWS];
 static const rot_rolling_output out = {result[0], result[1], result[2], result[3]};
 
 /* Ordinary rows with a strange one among them now and then. */
 static void fill_inputs(void) {
-  for (int i = 0; i < MOST_ROWS; i++) {
+  for (int i = 0; i < MAX_ROWS; i++) {
     beta[i] = 0.4 + 0.001 * (i % 977);
     angle[i] = -20.0 + 0.37 * (i % 331);
     height[i] = 0.1 + 0.01 * (i % 451);
     gravity[i] = 1.62 + 0.05 * (i % 173);
   }
-  for (int i = 0; i < MOST_ROWS; i += 97) {
+  for (int i = 0; i < MAX_ROWS; i += 97) {
     const double strange[] = {INFINITY, NAN, 1e300, 1e-300, 0.0};
     beta[i] = strange[i % 5];
     height[i + 1] = strange[i % 5];
@@ -202,18 +202,18 @@ static void check_poll(void) {
   const rot_rolling_input in = input(0, 0);
   rot_info info;
   result[0][65536] = -7.0;
-  ROT_CHECK_EQ_INT(rot_rolling_table(MOST_ROWS, &in, &out, &hooks, &info), ROT_EUNWIND);
+  ROT_CHECK_EQ_INT(rot_rolling_table(MAX_ROWS, &in, &out, &hooks, &info), ROT_EUNWIND);
   ROT_CHECK_EQ_INT(info.status, ROT_EUNWIND);
   ROT_CHECK_EQ_INT(info.rows_done, 65536);
   ROT_CHECK_EQ_INT(polled, 1);
-  ROT_CHECK(fraction_seen == 65536.0 / MOST_ROWS);
+  ROT_CHECK(fraction_seen == 65536.0 / MAX_ROWS);
   ROT_CHECK(result[0][65536] == -7.0);
   ROT_CHECK_EQ_INT(differing_rows(&in, 65536), 0);
   says = ROT_OK;
-  ROT_CHECK_EQ_INT(rot_rolling_table(MOST_ROWS, &in, &out, &hooks, &info), ROT_OK);
-  ROT_CHECK_EQ_INT(info.rows_done, MOST_ROWS);
+  ROT_CHECK_EQ_INT(rot_rolling_table(MAX_ROWS, &in, &out, &hooks, &info), ROT_OK);
+  ROT_CHECK_EQ_INT(info.rows_done, MAX_ROWS);
   ROT_CHECK_EQ_INT(info.steps, 69);
-  ROT_CHECK_EQ_INT(differing_rows(&in, MOST_ROWS), 0);
+  ROT_CHECK_EQ_INT(differing_rows(&in, MAX_ROWS), 0);
 }
 
 /* ---- the check of a column ------------------------------------------------------------------ */

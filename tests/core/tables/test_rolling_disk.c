@@ -82,19 +82,19 @@ static void check_stability(void) {
                           .transverse = k ? 0.5 : 0.25,
                           .gravity_m_per_s2 = 9.81,
                           .lean_rad = 1e-5};
-    const double least = rot_rolling_disk_least(&p), v = least * 0.2;
+    const double min = rot_rolling_disk_min(&p), v = min * 0.2;
     ROT_CHECK_REL(v * v, 9.81 * 0.2 / (k ? 4.0 : 3.0), 1e-14);
     static table x;
     rot_info info;
-    double most[2] = {0.0, 0.0};
+    double max[2] = {0.0, 0.0};
     for (int above = 0; above < 2; above++) {
-      p.spin_rad_per_s = least * (above ? 1.1 : 0.9);
+      p.spin_rad_per_s = min * (above ? 1.1 : 0.9);
       ROT_CHECK_EQ_INT(roll(&p, 3.0, &x, &info), ROT_OK);
-      for (int i = 0; i < ROWS; i++) most[above] = fmax(most[above], fabs(x.columns.lean_rad[i]));
+      for (int i = 0; i < ROWS; i++) max[above] = fmax(max[above], fabs(x.columns.lean_rad[i]));
     }
-    printf("least %d: below it %.1e, above %.1e\n", k, most[0], most[1]);
+    printf("least %d: below it %.1e, above %.1e\n", k, max[0], max[1]);
     /* it swings about a circle of its own: 2/(1 - 1/1.21) times the start */
-    ROT_CHECK(most[0] > 1e-2 && most[1] < 12.0e-5);
+    ROT_CHECK(max[0] > 1e-2 && max[1] < 12.0e-5);
   }
 }
 

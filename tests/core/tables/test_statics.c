@@ -213,8 +213,8 @@ static void plane_friction(void) {
   const double both[4] = {-1.4, 2.8, -4.6, 1.2};
   s.reaction = more;
   s.reactions = 4;
-  const solution least = solve(&s);
-  for (int j = 0; j < 4; j++) ROT_CHECK(fabs(least.x[j] - both[j]) <= 1e-9);
+  const solution min = solve(&s);
+  for (int j = 0; j < 4; j++) ROT_CHECK(fabs(min.x[j] - both[j]) <= 1e-9);
   s.reactions = 2;
   ROT_CHECK_EQ_INT(rot_statics_factors(&s, chosen, limits), ROT_OK);
   ROT_CHECK_REL(limits[1], 1.0 / 3.0, 1e-12);

@@ -15,13 +15,13 @@ enum { REJECTED_PER_CHECK = 16 }; /* whether the right-hand side repeats itself 
 enum { UNWEIGHED = 4 };
 
 /* A run that has to end here. */
-static rot_status end_here(rot_ode_march *run, rot_status why) {
+static rot_status end_here(rot_ode_stepping *run, rot_status why) {
   run->info->time_s = run->clock.t;
   return why;
 }
 
 /* Before a step: the budget, and every so many steps the caller. */
-static rot_status may_go_on(rot_ode_march *run, size_t steps_per_poll, double fraction) {
+static rot_status may_go_on(rot_ode_stepping *run, size_t steps_per_poll, double fraction) {
   const size_t tried = run->info->steps + run->info->rejected;
   if (tried >= run->budget) return end_here(run, ROT_EBUDGET);
   return tried % steps_per_poll == 0 ? rot_poll(run->hooks, fraction) : ROT_OK;
@@ -29,11 +29,11 @@ static rot_status may_go_on(rot_ode_march *run, size_t steps_per_poll, double fr
 
 /* ---- the end of a step ----------------------------------------------------------------------- */
 
-rot_status rot_ode_add_node(rot_ode_march *run) {
-  if (run->track) {
-    run->track->slid = run->track->slid || run->law.slides != NO_WALL;
-    const rot_status status =
-        rot_ode_track_node(run->track, run->p, run->clock.t, run->state.y, run->state.slope);
+rot_status rot_ode_add_node(rot_ode_stepping *run) {
+  if (run->trajectory) {
+    run->trajectory->slid = run->trajectory->slid || run->law.slides != NO_SURFACE;
+    const rot_status status = rot_ode_trajectory_node(run->trajectory, run->p, run->clock.t,
+                                                      run->state.y, run->state.slope);
     if (status != ROT_OK) return status;
   }
   return rot_ode_rows_node(&run->rows);
@@ -41,7 +41,7 @@ rot_status rot_ode_add_node(rot_ode_march *run) {
 
 /* A slope that belongs to a state off the manifold by less than a part of what a step may err is
  * kept. */
-static rot_status project(rot_ode_march *run) {
+static rot_status project(rot_ode_stepping *run) {
   const rot_ode_params *p = run->p;
   rot_ode_state *state = &run->state;
   double *moved = run->scratch;
@@ -52,7 +52,7 @@ static rot_status project(rot_ode_march *run) {
   for (size_t m = 0; m < rot_ode_measures(p); m++) {
     const rot_ode_group g = rot_ode_group_of(p, m);
     const double size = fmax(state->largest[m], rot_ode_size(g, state->y));
-    const double by = rot_ode_apart(g, state->y, moved);
+    const double by = rot_ode_difference(g, state->y, moved);
     if (!(by <= 16.0 * ROT_EPS * size)) run->errors->moved[m] += by;
     if (!(rot_ode_rate(g, moved) <= 1e-3 * run->step.tolerance * size)) state->slope_known = 0;
   }
@@ -74,7 +74,7 @@ static void swap(double **a, double **b) {
 }
 
 /* The trial, projected, becomes the state at t, and goes to all that follows the run. */
-static rot_status accept(rot_ode_march *run, double t, double error) {
+static rot_status accept(rot_ode_stepping *run, double t, double error) {
   enum { BLOCK = 512 };
   rot_ode_state *state = &run->state;
   if (run->rows.probes) cover_calls(run->rows.probes, &run->step.calls, run->p->controlled);
@@ -95,17 +95,17 @@ static rot_status accept(rot_ode_march *run, double t, double error) {
   return run->rows.dense.count >= BLOCK ? rot_ode_fill_rows(&run->rows, 0) : ROT_OK;
 }
 
-rot_status rot_ode_rest_until(rot_ode_march *run, double stop, int *broke_loose) {
+rot_status rot_ode_rest_until(rot_ode_stepping *run, double stop, int *broke_loose) {
   const double whole = stop - run->clock.t;
-  const double most = whole / (isfinite(whole) ? (run->guide.trace ? 8.0 : 4.0) : 1.0);
-  double h = most, end;
+  const double max = whole / (isfinite(whole) ? (run->reference.trace ? 8.0 : 4.0) : 1.0);
+  double h = max, end;
   *broke_loose = 0;
   while (run->clock.t != stop && !*broke_loose) {
     rot_status status = may_go_on(run, 1, 0.0);
     if (status == ROT_OK) status = rot_ode_hold(&run->rest, stop, whole, &h, &end, broke_loose);
     if (status == ROT_OK && !isnan(end)) {
       status = accept(run, end, 0.0);
-      h = copysign(fmin(fabs(most), 2.0 * fabs(h)), whole);
+      h = copysign(fmin(fabs(max), 2.0 * fabs(h)), whole);
     }
     if (status != ROT_OK) return status;
   }
@@ -126,23 +126,23 @@ static step_plan step_by(double t, double h) {
 }
 
 /* Steps of one length since the smooth segment began: counted, so that no rounding gathers. */
-static step_plan plan_fixed(const rot_ode_march *run, double stop) {
-  const double t = run->clock.t, from = run->rows.stretch_t, h = run->step.fixed_s;
-  const double way = rot_ode_way(&run->clock);
-  const double target = from + way * h * (floor(fabs(t - from) / h + 1e-6) + 1.0);
+static step_plan plan_fixed(const rot_ode_stepping *run, double stop) {
+  const double t = run->clock.t, from = run->rows.segment_t, h = run->step.fixed_s;
+  const double direction = rot_ode_direction(&run->clock);
+  const double target = from + direction * h * (floor(fabs(t - from) / h + 1e-6) + 1.0);
   if (fabs(stop - t) <= fabs(target - t) + 1e-6 * h) return (step_plan){stop - t, stop, 0};
   return (step_plan){target - t, target, 0};
 }
 
-static step_plan plan_step(rot_ode_march *run, double stop) {
+static step_plan plan_step(rot_ode_stepping *run, double stop) {
   const double t = run->clock.t, left = stop - t, wish = run->step.h, size = fabs(wish);
-  const double guided = rot_ode_guided_aim(&run->guide, stop);
+  const double reference_end = rot_ode_reference_aim(&run->reference, stop);
   if (run->step.fixed_s > 0.0) {
     const step_plan plan = plan_fixed(run, stop);
     return fabs(plan.h) > run->limit ? step_by(t, copysign(run->limit, left)) : plan;
   }
-  if (fabs(guided - t) > run->limit) return step_by(t, copysign(run->limit, left));
-  if (!isnan(guided)) return (step_plan){guided - t, guided, 0};
+  if (fabs(reference_end - t) > run->limit) return step_by(t, copysign(run->limit, left));
+  if (!isnan(reference_end)) return (step_plan){reference_end - t, reference_end, 0};
   /* The last step lands on the target; the one before it is halved rather than leave a sliver. */
   if (size >= fabs(left) * (1.0 - 1e-10)) return (step_plan){left, stop, 0};
   const double aim = size > 0.5 * fabs(left) ? 0.5 * left : copysign(size, left);
@@ -152,13 +152,13 @@ static step_plan plan_step(rot_ode_march *run, double stop) {
 }
 
 /* What the error test makes of the next step, by the ratio of this one. */
-static double scaled(const rot_ode_march *run, double ratio) {
+static double scaled(const rot_ode_stepping *run, double ratio) {
   const double order = run->step.method == ROT_METHOD_RADAU ? ROT_RADAU_ERROR_ORDER + 1.0 : 8.0;
   return 0.9 * pow(ratio, -1.0 / order);
 }
 
 /* `why`: ROT_ERHS, or what a step too short means. The state may be about to leave the doubles. */
-static rot_status reject(rot_ode_march *run, double h, double factor, rot_status why) {
+static rot_status reject(rot_ode_stepping *run, double h, double factor, rot_status why) {
   const double t = run->clock.t;
   rot_ode_state *state = &run->state;
   run->info->rejected++;
@@ -186,17 +186,17 @@ static rot_status reject(rot_ode_march *run, double h, double factor, rot_status
 
 /* ---- what a step passes ---------------------------------------------------------------------- */
 
-/* *ratio becomes that of a step that was cut at a wall. */
-static rot_status look_for_events(rot_ode_march *run, double *h, rot_ode_passage *what,
+/* *ratio becomes that of a step that was cut at a surface. */
+static rot_status look_for_events(rot_ode_stepping *run, double *h, rot_ode_passage *what,
                                   size_t *which, double *ratio) {
   const double whole = *h;
   const rot_status status = rot_ode_look_for_events(&run->search, h, what, which);
   if (status != ROT_OK) return status;
   if (*what == ROT_ODE_OTHER_SIDE) {
-    const size_t wall = rot_ode_wall_of(&run->search, *which);
+    const size_t surface = rot_ode_surface_of(&run->search, *which);
     const int side = run->search.watch[*which].side;
-    if (wall != NO_WALL) {
-      run->law.side[wall] = side;
+    if (surface != NO_SURFACE) {
+      run->law.side[surface] = side;
     } else {
       run->state.phase = ROT_ODE_LEAVING;
       *run->p->mode = side;
@@ -205,18 +205,19 @@ static rot_status look_for_events(rot_ode_march *run, double *h, rot_ode_passage
     *what = ROT_ODE_TRY_SHORTER;
     *which = SIZE_MAX;
   }
-  if (run->law.walls->count && *h != whole) *ratio = rot_ode_trial_ratio(&run->step, *h);
+  if (run->law.surfaces->count && *h != whole) *ratio = rot_ode_trial_ratio(&run->step, *h);
   return ROT_OK;
 }
 
-/* After a search that began with so many walls: the side of one that was added. */
-static rot_status join_wall(rot_ode_march *run, size_t known, rot_status searched, int *added) {
+/* After a search that began with so many surfaces: the side of one that was added. */
+static rot_status join_surface(rot_ode_stepping *run, size_t known, rot_status searched,
+                               int *added) {
   rot_status status = searched;
-  *added = run->law.walls->count != known;
+  *added = run->law.surfaces->count != known;
   if (status != ROT_OK || !*added) return status;
   status = rot_ode_choose_side(&run->law, &run->state, known);
   if (run->law.slides == known) {
-    rot_ode_growth_hold(run->growth, run->law.walls->wall[known].component);
+    rot_ode_propagation_hold(run->propagation, run->law.surfaces->surface[known].component);
   }
   if (status == ROT_OK) status = rot_ode_know_slope(&run->law, &run->state);
   /* That alone: an event that was just met has a zero here that is no new one. */
@@ -224,11 +225,11 @@ static rot_status join_wall(rot_ode_march *run, size_t known, rot_status searche
   return rot_ode_may_retry(status) ? ROT_OK : status;
 }
 
-/* The rows so far lie on unknown sides of a wall that was added since: filled without it. */
-static rot_status close_rows(rot_ode_march *run) {
-  run->law.walls->count--;
+/* The rows so far lie on unknown sides of a surface that was added since: filled without it. */
+static rot_status close_rows(rot_ode_stepping *run) {
+  run->law.surfaces->count--;
   rot_status status = rot_ode_fill_rows(&run->rows, 1);
-  run->law.walls->count++;
+  run->law.surfaces->count++;
   rot_ode_rows_begin(&run->rows);
   run->state.slope_known = 0;
   if (status == ROT_OK) status = rot_ode_know_slope(&run->law, &run->state);
@@ -236,12 +237,12 @@ static rot_status close_rows(rot_ode_march *run) {
 }
 
 /* The step over h failed its error test, or was no step (`tried`). */
-static rot_status refuse(rot_ode_march *run, double h, double ratio, rot_status tried) {
-  const size_t walls = run->law.walls->count;
+static rot_status refuse(rot_ode_stepping *run, double h, double ratio, rot_status tried) {
+  const size_t surfaces = run->law.surfaces->count;
   if (isnan(run->kinks.before)) {
     int added;
     rot_status status = rot_ode_look_for_kink(&run->kinks, h, ratio, tried == ROT_ESTEP);
-    status = join_wall(run, walls, status, &added);
+    status = join_surface(run, surfaces, status, &added);
     if (status != ROT_OK) return status;
     if (added || !isnan(run->kinks.before)) {
       run->info->rejected++;
@@ -252,7 +253,7 @@ static rot_status refuse(rot_ode_march *run, double h, double ratio, rot_status 
   return reject(run, h, less, tried == ROT_OK ? ROT_ESTEP : tried);
 }
 
-static void note_error(rot_ode_march *run, double error, int unresolved) {
+static void note_error(rot_ode_stepping *run, double error, int unresolved) {
   rot_ode_errors *e = run->errors;
   e->found += error;
   for (size_t m = rot_ode_steering(run->p); m < rot_ode_measures(run->p); m++) {
@@ -264,8 +265,8 @@ static void note_error(rot_ode_march *run, double error, int unresolved) {
   e->unresolved += missed * missed;
 }
 
-rot_status rot_ode_advance(rot_ode_march *run, double stop, double fraction, rot_ode_passage *what,
-                           size_t *which) {
+rot_status rot_ode_advance(rot_ode_stepping *run, double stop, double fraction,
+                           rot_ode_passage *what, size_t *which) {
   rot_ode_state *state = &run->state;
   rot_ode_stepper *step = &run->step;
   const double t = run->clock.t;
@@ -280,8 +281,8 @@ rot_status rot_ode_advance(rot_ode_march *run, double stop, double fraction, rot
   const int ends = run->step.fixed_s > 0.0 || !rot_ode_may_retry(status);
   if (status != ROT_OK && ends) return status;
   double ratio = status == ROT_OK ? rot_ode_trial_ratio(step, h) : NAN;
-  /* Beyond a wall the step is no step of the motion, and its error none: up to the wall. */
-  const int early = status == ROT_OK && ratio > 1.0 && rot_ode_passes_wall(&run->search);
+  /* Beyond a surface the step is no step of the motion, and its error none: up to the surface. */
+  const int early = status == ROT_OK && ratio > 1.0 && rot_ode_passes_surface(&run->search);
   if (early) run->info->rejected++;
   if (!early && !(ratio <= 1.0)) return refuse(run, h, ratio, status); /* NaN fails */
   status = look_for_events(run, &h, what, which, &ratio);
@@ -294,11 +295,11 @@ rot_status rot_ode_advance(rot_ode_march *run, double stop, double fraction, rot
   if (status != ROT_OK) return reject(run, plan.h, 0.5, status);
   if (*what == ROT_ODE_TRY_SHORTER) return reject(run, plan.h, 0.1, ROT_ESTEP);
   const double error = ratio * step->tolerance;
-  const int unresolved = rot_ode_is_unresolved(&run->guide, error);
-  if (unresolved && run->law.slides == NO_WALL && isnan(run->kinks.before)) {
-    const size_t walls = run->law.walls->count;
+  const int unresolved = rot_ode_is_unresolved(&run->reference, error);
+  if (unresolved && run->law.slides == NO_SURFACE && isnan(run->kinks.before)) {
+    const size_t surfaces = run->law.surfaces->count;
     int added;
-    status = join_wall(run, walls, rot_ode_look_for_wall(&run->kinks, h), &added);
+    status = join_surface(run, surfaces, rot_ode_look_for_surface(&run->kinks, h), &added);
     if (status != ROT_OK) return status;
     if (added) {
       run->info->rejected++;
@@ -310,7 +311,7 @@ rot_status rot_ode_advance(rot_ode_march *run, double stop, double fraction, rot
   run->limit = INFINITY;
   state->phase = *what == ROT_ODE_CUT_SHORT ? ROT_ODE_CUT : ROT_ODE_MOVING;
   const double grow = ratio > 0.0 ? scaled(run, ratio) : 5.0;
-  /* Up to a wall or to an event before it, which may be within a rounding of t. */
+  /* Up to a surface or to an event before it, which may be within a rounding of t. */
   const double base = early ? copysign(fmax(fabs(h), 1e-3 * fabs(plan.h)), h) : plan.h;
   const double wish = base * fmin(5.0, fmax(0.5, grow));
   if (run->law.stiffness && rot_ode_is_stiff(&run->stiffness, plan.h, run->clock.end - t)) {
@@ -319,9 +320,9 @@ rot_status rot_ode_advance(rot_ode_march *run, double stop, double fraction, rot
   /* A step cut short by a target says nothing against the longer one. */
   if (fabs(wish) > fabs(step->h) || plan.as_wished) step->h = wish;
   status = accept(run, *what == ROT_ODE_SAME_SIDE ? plan.target : t + h, error);
-  if (status == ROT_OK && run->growth) {
-    status = rot_ode_growth_step(run->growth, &run->law, state, run->track, run->clock.t - t,
-                                 step->trial, PARTS);
+  if (status == ROT_OK && run->propagation) {
+    status = rot_ode_propagation_step(run->propagation, &run->law, state, run->trajectory,
+                                      run->clock.t - t, step->trial, PARTS);
   }
   return status == ROT_OK && run->clock.t == run->kinks.before ? rot_ode_pass_kink(&run->kinks)
                                                                : status;

@@ -1,10 +1,10 @@
 /* One run of the integrator on one side of the start, and its steps: tried, searched for events,
- * kinks and walls, accepted. */
+ * kinks and surfaces, accepted. */
 #ifndef ROT_ODE_ADVANCE_H
 #define ROT_ODE_ADVANCE_H
 
 #include "engine/ode/event.h"
-#include "engine/ode/growth.h"
+#include "engine/ode/propagation.h"
 #include "engine/ode/kink.h"
 #include "engine/ode/rest.h"
 #include "engine/ode/rows.h"
@@ -16,11 +16,11 @@ typedef struct rot_ode_errors {
   double *missed;    /* of each integral, likewise: no test weighs them */
   double unresolved; /* in steps where halving did not help: the root of the sum of squares */
   double *moved;     /* by the projection, summed */
-  double *share;     /* by polynomials, in rows */
+  double *fraction;  /* by polynomials, in rows */
 } rot_ode_errors;
 
 /* Each member's struct says what it reads and what it changes of the others. */
-typedef struct rot_ode_march {
+typedef struct rot_ode_stepping {
   const rot_ode_params *p;
   const rot_hooks *hooks;
   rot_info *info;
@@ -33,23 +33,23 @@ typedef struct rot_ode_march {
   rot_ode_search search;
   rot_ode_kink_search kinks;
   rot_ode_rest rest;
-  rot_ode_guide guide;
+  rot_ode_reference reference;
   rot_ode_rows rows;
-  double limit;    /* no step is longer, after a rejection in a guided run */
+  double limit;    /* no step is longer, after a rejection in a reference run */
   double *scratch; /* dim */
   rot_ode_errors *errors;
-  rot_ode_trace *trace;   /* its own steps */
-  rot_ode_growth *growth; /* of its rounding; NULL: not followed */
-  rot_ode_track *track;   /* NULL: not kept */
-} rot_ode_march;
+  rot_ode_trace *trace;             /* its own steps */
+  rot_ode_propagation *propagation; /* of its rounding; NULL: not followed */
+  rot_ode_trajectory *trajectory;   /* NULL: not kept */
+} rot_ode_stepping;
 
 /* The state becomes a node of all that follows the run. */
-rot_status rot_ode_add_node(rot_ode_march *run);
+rot_status rot_ode_add_node(rot_ode_stepping *run);
 
 /* One step towards `stop`, which no break comes before; *which: as rot_ode_look_for_events(). */
-rot_status rot_ode_advance(rot_ode_march *run, double stop, double fraction, rot_ode_passage *what,
-                           size_t *which);
+rot_status rot_ode_advance(rot_ode_stepping *run, double stop, double fraction,
+                           rot_ode_passage *what, size_t *which);
 /* At rest, up to `stop` or to where it breaks loose. */
-rot_status rot_ode_rest_until(rot_ode_march *run, double stop, int *broke_loose);
+rot_status rot_ode_rest_until(rot_ode_stepping *run, double stop, int *broke_loose);
 
 #endif

@@ -9,23 +9,23 @@
 
 enum {
   FIRST_NODES = 8, /* of a step in the first sweep */
-  MOST_NODES = 20,
-  MOST_SWEEPS = 5,
-  MOST_AGAIN = 3,
-  NEAR = 6,        /* derivatives that are interpolated between, */
-  NEAR_BEYOND = 4, /* or beyond */
-  MOST_TURNS = 60, /* of the iteration for the linear equations */
-  MOST = ROT_ODE_MOST_COLLOCATED,
-  MOST_DIM = ROT_ODE_MOST_COLLOCATED_ALL
+  MAX_NODES = 20,
+  MAX_SWEEPS = 5,
+  MAX_AGAIN = 3,
+  NEAR = 6,        /* nodes of an interpolated derivative */
+  NEAR_BEYOND = 4, /* of an extrapolated one */
+  MAX_TURNS = 60,  /* of the iteration for the linear equations */
+  MAX = ROT_ODE_MAX_COLLOCATED,
+  MAX_DIM = ROT_ODE_MAX_COLLOCATED_ALL
 };
 
 /* ---- Gauss's nodes and Legendre's polynomials ------------------------------------------------ */
 
 typedef struct rule {
-  size_t s;                             /* 0: not made yet */
-  double x[MOST_NODES];                 /* in (-1, 1) */
-  double into[MOST_NODES * MOST_NODES]; /* values at the nodes -> integrals from -1 to each */
-  double part[MOST_NODES * MOST_NODES]; /* the same -> coefficients of the polynomials */
+  size_t s;                           /* 0: not made yet */
+  double x[MAX_NODES];                /* in (-1, 1) */
+  double into[MAX_NODES * MAX_NODES]; /* values at the nodes -> integrals from -1 to each */
+  double part[MAX_NODES * MAX_NODES]; /* the same -> coefficients of the polynomials */
 } rule;
 
 /* P_0 to P_m. */
@@ -44,7 +44,7 @@ static double legendre_integral(const double p[], size_t m) {
 }
 
 static rot_status make_rule(rule *r, size_t s) {
-  double p[MOST_NODES + 1], weight;
+  double p[MAX_NODES + 1], weight;
   if (r->s == s) return ROT_OK;
   gsl_integration_glfixed_table *table = gsl_integration_glfixed_table_alloc(s);
   if (!table) return ROT_ENOMEM;
@@ -66,35 +66,35 @@ static rot_status make_rule(rule *r, size_t s) {
   return ROT_OK;
 }
 
-/* Ends of steps that lie so near to a wall, of their size, are on it; nodes so far beyond it belong
+/* Ends of steps so near to a surface, of their size, are on it; nodes so far beyond it belong
  * to a step that passes it. */
-#define ON_WALL 1e-11
-#define BEYOND  1e-4
+#define ON_SURFACE 1e-11
+#define BEYOND     1e-4
 
 /* ---- the solution of a sweep ----------------------------------------------------------------- */
 
 /* A step: the state where it begins and ends, the slope as a sum of polynomials. */
 typedef struct step {
   double t, end;
-  double from, h; /* of the polynomials: the same, before its ends moved with a wall */
-  size_t wall;    /* the component whose wall it ends on, or NO_WALL */
-  double level;   /* of that wall */
-  double low[MOST], high[MOST]; /* the walls beside it: where the slope is called */
-  size_t s;                     /* of its nodes; 0: not solved yet */
-  unsigned long swept;          /* the numbers of nodes of all sweeps, as bits */
-  double *y;                    /* dim, and dim at the end */
-  double *c;                    /* s x dim */
-  size_t first, node, last;     /* of the track: the stretch from first to last, the step's own */
-  int bent[2];                  /* a kink in time is its start, its end */
-  double off[2];                /* what a kink beside its start, its end may change, of the size */
-  double moved;                 /* its end by the last sweep, of the size, apart from its start */
+  double from, h; /* of the polynomials: the same, before its ends moved with a surface */
+  size_t surface; /* the component whose surface it ends on, or NO_SURFACE */
+  double level;   /* of that surface */
+  double low[MAX], high[MAX]; /* the surfaces beside it: where the slope is called */
+  size_t s;                   /* of its nodes; 0: not solved yet */
+  unsigned long swept;        /* the numbers of nodes of all sweeps, as bits */
+  double *y;                  /* dim, and dim at the end */
+  double *c;                  /* s x dim */
+  size_t first, node, last; /* of the trajectory: the segment from first to last, the step's own */
+  int bent[2];              /* a kink in time is its start, its end */
+  double off[2];            /* what a kink beside its start, its end may change, of the size */
+  double moved;             /* its end by the last sweep, of the size, apart from its start */
 } step;
 
 /* All of one run on one side. */
 typedef struct side {
   const rot_ode_params *p;
-  const rot_ode_track *track;
-  const rot_ode_walls *walls;
+  const rot_ode_trajectory *trajectory;
+  const rot_ode_surfaces *surfaces;
   const rot_hooks *hooks;
   rot_info *info;
   rule *rules;
@@ -104,7 +104,7 @@ typedef struct side {
   double *size;             /* of each component, and of its slope */
   double wanted;            /* what the polynomials may leave out, of the size */
   size_t slope_of;          /* a component whose slope is to be as good; dim: none */
-  double *apart;            /* of each component: between two sweeps */
+  double *difference;       /* of each component: between two sweeps */
   double *left_out;         /* of each component: by the polynomials */
   double moved, moved_fell; /* of all steps, summed; each times what it fell by */
   double missed;            /* by the nodes, of the size, a sum of squares */
@@ -116,8 +116,8 @@ typedef struct stages {
   const rule *r;
   size_t dim, n;
   double h;
-  double y[MOST_NODES * MOST], e[MOST_NODES * MOST], rest[MOST_NODES * MOST];
-  double d[MOST_NODES * MOST_DIM * MOST], f[MOST_NODES * MOST_DIM];
+  double y[MAX_NODES * MAX], e[MAX_NODES * MAX], rest[MAX_NODES * MAX];
+  double d[MAX_NODES * MAX_DIM * MAX], f[MAX_NODES * MAX_DIM];
 } stages;
 
 /* P_0 .. P_s at t. */
@@ -140,7 +140,7 @@ static double legendre_slope(const step *st, const double p[], size_t dim, size_
 
 /* The first n components of the state at t. */
 static void legendre_states(const step *st, double t, size_t dim, size_t n, double y[]) {
-  double p[MOST_NODES + 1];
+  double p[MAX_NODES + 1];
   legendre_at(st, t, p);
   for (size_t k = 0; k < n; k++) y[k] = legendre_state(st, p, dim, k);
 }
@@ -167,10 +167,10 @@ static double tail(const step *st, size_t dim, size_t k, double *fall) {
 /* What it may be of component k in this step. */
 static double allowed(const side *w, const step *st, size_t k) {
   const size_t dim = w->p->dim;
-  double most = INFINITY;
-  if (k < w->p->controlled) most = w->wanted * w->size[k] * (double)st->s / fabs(st->h);
-  if (k == w->slope_of) most = fmin(most, w->wanted * w->size[dim + k]);
-  return fmax(most, 16.0 * ROT_EPS * w->size[dim + k]);
+  double max = INFINITY;
+  if (k < w->p->controlled) max = w->wanted * w->size[k] * (double)st->s / fabs(st->h);
+  if (k == w->slope_of) max = fmin(max, w->wanted * w->size[dim + k]);
+  return fmax(max, 16.0 * ROT_EPS * w->size[dim + k]);
 }
 
 /* A slope falls slower towards its last terms where it has a kink. */
@@ -183,23 +183,24 @@ static size_t nodes_wanted(const side *w, const step *st) {
     double fall;
     const double out = tail(st, w->p->dim, k, &fall), may = allowed(w, st, k);
     if (!(out > may)) continue;
-    if (!(fall < SMOOTH_FALL)) return MOST_NODES + 1;
+    if (!(fall < SMOOTH_FALL)) return MAX_NODES + 1;
     more = fmax(more, 2.0 * ceil(log(may / out) / log(fall)));
   }
-  return st->s + (size_t)fmin(more, MOST_NODES);
+  return st->s + (size_t)fmin(more, MAX_NODES);
 }
 
 /* The derivative of the slopes by the state, at t: Lagrange's polynomial through the nearest nodes
- * of the stretch where it is known. */
+ * of the segment where it is known. */
 static void derivative_at(const side *w, const step *st, double t, double d[]) {
-  const rot_dense *nodes = &w->track->nodes;
-  const size_t each = nodes->dim * w->track->controlled;
-  const size_t first = isnan(w->track->derivative[st->first * each]) ? st->first + 1 : st->first;
-  const size_t most = st->node < first ? NEAR_BEYOND : NEAR; /* of low degree outside of them */
+  const rot_dense *nodes = &w->trajectory->nodes;
+  const size_t each = nodes->dim * w->trajectory->controlled;
+  const size_t first =
+      isnan(w->trajectory->derivative[st->first * each]) ? st->first + 1 : st->first;
+  const size_t max = st->node < first ? NEAR_BEYOND : NEAR; /* of low degree outside of them */
   size_t low = st->node < first ? first : st->node, high = st->node + 1;
-  while (high - low + 1 < most && (low > first || high < st->last)) {
+  while (high - low + 1 < max && (low > first || high < st->last)) {
     if (low > first) low--;
-    if (high < st->last && high - low + 1 < most) high++;
+    if (high < st->last && high - low + 1 < max) high++;
   }
   memset(d, 0, each * sizeof *d);
   for (size_t i = low; i <= high; i++) {
@@ -208,7 +209,7 @@ static void derivative_at(const side *w, const step *st, double t, double d[]) {
       const double at = rot_dense_node(nodes, j)[0];
       if (j != i) weight *= (t - at) / (rot_dense_node(nodes, i)[0] - at);
     }
-    for (size_t k = 0; k < each; k++) d[k] += weight * w->track->derivative[i * each + k];
+    for (size_t k = 0; k < each; k++) d[k] += weight * w->trajectory->derivative[i * each + k];
   }
 }
 
@@ -222,12 +223,12 @@ static void add_change(const stages *g, size_t j, const double e[], size_t dim, 
 
 /* e = rest + integral of J e, by iteration: its terms fall as those of an exponential. */
 static int solve(stages *g) {
-  double turn[MOST_NODES * MOST], now[MOST_NODES * MOST];
+  double turn[MAX_NODES * MAX], now[MAX_NODES * MAX];
   const size_t s = g->r->s, n = g->n;
   memcpy(now, g->rest, s * n * sizeof *now);
   memcpy(g->e, g->rest, s * n * sizeof *now);
-  for (int turns = 0; turns < MOST_TURNS; turns++) {
-    double change = 0.0, most = 0.0;
+  for (int turns = 0; turns < MAX_TURNS; turns++) {
+    double change = 0.0, max = 0.0;
     memset(turn, 0, s * n * sizeof *turn);
     for (size_t j = 0; j < s; j++) add_change(g, j, now, n, turn + j * n);
     for (size_t j = 0; j < s; j++) {
@@ -238,10 +239,10 @@ static int solve(stages *g) {
         g->e[j * n + k] += now[j * n + k];
         if (!isfinite(now[j * n + k])) return 0; /* also where no derivative is known */
         change = fmax(change, fabs(now[j * n + k]));
-        most = fmax(most, fabs(g->e[j * n + k]));
+        max = fmax(max, fabs(g->e[j * n + k]));
       }
     }
-    if (change <= 1e-8 * most) return 1;
+    if (change <= 1e-8 * max) return 1;
   }
   return 0;
 }
@@ -257,13 +258,13 @@ static void state_at(const step *st, const rot_dense_form form[], size_t dim, si
  * end. */
 static int predict(const side *w, const step *st, const double start[], stages *g, double end[]) {
   const size_t n = g->n, s = g->r->s;
-  double old[MOST];
-  rot_dense_form form[MOST];
-  rot_dense stretch = w->track->nodes;
-  stretch.data += st->first * (1 + 2 * g->dim);
-  stretch.count = st->last - st->first + 1;
+  double old[MAX];
+  rot_dense_form form[MAX];
+  rot_dense segment = w->trajectory->nodes;
+  segment.data += st->first * (1 + 2 * g->dim);
+  segment.count = st->last - st->first + 1;
   for (size_t k = 0; k < n && st->s == 0; k++) {
-    form[k] = rot_dense_between(&stretch, st->node - st->first, k);
+    form[k] = rot_dense_between(&segment, st->node - st->first, k);
   }
   state_at(st, form, g->dim, n, st->t, old);
   for (size_t k = 0; k < n; k++) end[k] = start[k] - old[k];
@@ -275,7 +276,7 @@ static int predict(const side *w, const step *st, const double start[], stages *
   }
   if (!solve(g)) return 0;
   for (size_t j = 0; j < s; j++) {
-    double rise[MOST] = {0.0};
+    double rise[MAX] = {0.0};
     add_change(g, j, g->e, n, rise);
     for (size_t k = 0; k < n; k++) {
       g->y[j * n + k] += g->e[j * n + k];
@@ -285,11 +286,11 @@ static int predict(const side *w, const step *st, const double start[], stages *
   return 1;
 }
 
-/* The law strictly inside the step, which may end at breaks, and on its sides of the walls. */
+/* The law strictly inside the step, which may end at breaks, and on its sides of the surfaces. */
 static rot_status slope_in(const side *w, const step *st, double t, const double y[],
                            double dydt[]) {
   const double after = nextafter(st->t, st->end), before = nextafter(st->end, st->t);
-  double x[MOST_DIM];
+  double x[MAX_DIM];
   memcpy(x, y, w->p->dim * sizeof *y);
   for (size_t k = 0; k < w->p->controlled; k++) x[k] = fmin(fmax(y[k], st->low[k]), st->high[k]);
   t = st->end > st->t ? fmin(fmax(t, after), before) : fmax(fmin(t, after), before);
@@ -303,7 +304,7 @@ static rot_status slope_in(const side *w, const step *st, double t, const double
 
 /* The slopes at the nodes. *good = 0: not defined there. */
 static rot_status call(const side *w, const step *st, const double start[], stages *g, int *good) {
-  double y[MOST_DIM];
+  double y[MAX_DIM];
   memcpy(y, start, g->dim * sizeof *y);
   *good = 0;
   for (size_t j = 0; j < g->r->s; j++) {
@@ -353,17 +354,17 @@ static void keep(side *w, step *st, const double start[], const stages *g, const
   }
   for (size_t k = 0; k < dim; k++) {
     const double now = start[k] + st->h * st->c[k], change = now - st->y[dim + k];
-    w->apart[k] = fmax(w->apart[k], fabs(change));
+    w->difference[k] = fmax(w->difference[k], fabs(change));
     w->size[k] = fmax(w->size[k], fabs(now));
     if (k < g->n) st->moved = fmax(st->moved, fabs(change - end[k]) / w->size[k]);
     st->y[dim + k] = now;
   }
 }
 
-/* The end of a step on a wall, where the polynomial meets it. 0: not near. */
-static int meet_wall(step *st, size_t dim) {
-  const size_t k = st->wall;
-  double polynomial[MOST_NODES + 1], t = st->end;
+/* The end of a step on a surface, where the polynomial meets it. 0: not near. */
+static int meet_surface(step *st, size_t dim) {
+  const size_t k = st->surface;
+  double polynomial[MAX_NODES + 1], t = st->end;
   for (int turn = 0; turn < 4; turn++) {
     legendre_at(st, t, polynomial);
     const double slope = legendre_slope(st, polynomial, dim, k);
@@ -382,10 +383,10 @@ static int meet_wall(step *st, size_t dim) {
 static void look_between(side *w, step *st, stages *g) {
   const size_t dim = g->dim, n = g->n;
   const double gap = 0.5 * fabs(st->h) * (1.0 - fabs(g->r->x[0]));
-  double polynomial[MOST_NODES + 1], most = 0.0, fall;
+  double polynomial[MAX_NODES + 1], max = 0.0, fall;
   for (size_t end = 0; end < 2; end++) {
-    const double *node = rot_dense_node(&w->track->nodes, st->node + end);
-    double slope[MOST] = {0.0}, change[MOST];
+    const double *node = rot_dense_node(&w->trajectory->nodes, st->node + end);
+    double slope[MAX] = {0.0}, change[MAX];
     st->off[end] = 0.0;
     if (st->bent[end]) continue;
     legendre_at(st, node[0], polynomial);
@@ -398,14 +399,14 @@ static void look_between(side *w, step *st, stages *g) {
       const double off = node[1 + dim + k] + slope[k] - legendre_slope(st, polynomial, dim, k);
       st->off[end] = fmax(st->off[end], gap * fabs(off) / w->size[k]);
     }
-    most = fmax(most, st->off[end]);
+    max = fmax(max, st->off[end]);
   }
   for (size_t k = 0; k < dim; k++) {
     const double out = fabs(st->h) * tail(st, dim, k, &fall);
-    if (k < n) most = fmax(most, out * flatness(st, dim, k) / w->size[k]);
+    if (k < n) max = fmax(max, out * flatness(st, dim, k) / w->size[k]);
     w->left_out[k] = fmax(w->left_out[k], out / (double)st->s);
   }
-  w->missed += most * most;
+  w->missed += max * max;
 }
 
 /* A kink in time beside the nodes: where the slopes of the step before and of this one meet, which
@@ -414,23 +415,25 @@ static void look_between(side *w, step *st, stages *g) {
 static int meet_step(const side *w, step *st, double *off) {
   const size_t dim = w->p->dim;
   const double near = 0.05 * fmin(fabs(st->h), fabs(st[-1].h)), d = 1e-3 * near;
-  double least = INFINITY, at = st->t;
+  double min = INFINITY, at = st->t;
   *off = 0.0;
   for (size_t k = 0; k < w->p->controlled; k++) {
-    double apart[2];
+    double difference[2];
     for (int later = 0; later < 2; later++) {
-      double before[MOST_NODES + 1], after[MOST_NODES + 1];
+      double before[MAX_NODES + 1], after[MAX_NODES + 1];
       legendre_at(st - 1, st->t + later * d, before);
       legendre_at(st, st->t + later * d, after);
-      apart[later] = legendre_slope(st - 1, before, dim, k) - legendre_slope(st, after, dim, k);
+      difference[later] =
+          legendre_slope(st - 1, before, dim, k) - legendre_slope(st, after, dim, k);
     }
-    const double by = apart[0] * d / (apart[0] - apart[1]), size = fabs(apart[0]) / w->size[k];
+    const double by = difference[0] * d / (difference[0] - difference[1]),
+                 size = fabs(difference[0]) / w->size[k];
     if (!(fabs(by) <= near) || size * fabs(by) <= *off) continue;
     *off = size * fabs(by);
-    least = fabs(by);
+    min = fabs(by);
     at = st->t + by;
   }
-  if (!(least <= near)) return 0;
+  if (!(min <= near)) return 0;
   st[-1].end = st->t = at;
   legendre_states(st - 1, at, dim, dim, st[-1].y + dim);
   return 1;
@@ -442,12 +445,12 @@ static int meet_step(const side *w, step *st, double *off) {
 
 /* Kinks beside the end of the step before and the start of this one; 0: they cannot be met. */
 static int meet_kinks(side *w, step *st, int first, int last) {
-  const double most = BESIDE * w->p->accuracy;
+  const double max = BESIDE * w->p->accuracy;
   const int alone = first || st[-1].first != st->first;
   double off;
-  if (last && st->off[1] > most) return 0;
-  if (alone) return st->off[0] <= most;
-  if (!st->bent[0] && fmax(st[-1].off[1], st->off[0]) <= most) return 1;
+  if (last && st->off[1] > max) return 0;
+  if (alone) return st->off[0] <= max;
+  if (!st->bent[0] && fmax(st[-1].off[1], st->off[0]) <= max) return 1;
   if (!meet_step(w, st, &off)) return st->bent[0];
   if (st->bent[0]) w->missed += off * off;
   st->bent[0] = st[-1].bent[1] = 1;
@@ -457,11 +460,11 @@ static int meet_kinks(side *w, step *st, int first, int last) {
 /* One sweep over one step. *good = 0: not solved. */
 static rot_status solve_step(side *w, step *st, const double start[], stages *g, int *good) {
   const size_t wanted = st->s ? nodes_wanted(w, st) : FIRST_NODES;
-  const size_t other = st->s < MOST_NODES ? st->s + 1 : st->s - 1;
+  const size_t other = st->s < MAX_NODES ? st->s + 1 : st->s - 1;
   const size_t s = wanted > st->s ? wanted : other;
-  double end[MOST];
+  double end[MAX];
   *good = 0;
-  if (s > MOST_NODES) return ROT_OK;
+  if (s > MAX_NODES) return ROT_OK;
   rot_status status = make_rule(&w->rules[s], s);
   if (status != ROT_OK) return status;
   g->r = &w->rules[s];
@@ -475,12 +478,12 @@ static rot_status solve_step(side *w, step *st, const double start[], stages *g,
 }
 
 /* What one step may leave to further sweeps, of the accuracy: more is solved at once, mostly in the
- * first steps of a stretch, where states and derivatives are interpolated from one side alone. */
-#define MOST_LEFT 0.03
+ * first steps of a segment, where states and derivatives are interpolated from one side alone. */
+#define MAX_LEFT 0.03
 
 /* One sweep over all steps. */
 static rot_status sweep(side *w, int *good) {
-  const double most = MOST_LEFT * w->p->accuracy;
+  const double max = MAX_LEFT * w->p->accuracy;
   const double *start = w->p->start;
   stages g;
   g.dim = w->p->dim;
@@ -490,13 +493,13 @@ static rot_status sweep(side *w, int *good) {
     step *st = &w->steps[i];
     double fell = 1.0;
     rot_status status = i % 4 ? ROT_OK : rot_poll(w->hooks, (double)i / (double)w->n_steps);
-    for (int again = 0; again < MOST_AGAIN && status == ROT_OK; again++) {
+    for (int again = 0; again < MAX_AGAIN && status == ROT_OK; again++) {
       const double before = st->moved;
       const int first = st->s == 0;
       status = solve_step(w, st, start, &g, good);
       if (status != ROT_OK || !*good) return status;
       fell = before > 0.0 ? fmin(1.0, st->moved / before) : 1.0;
-      if (first || fell * st->moved <= most) break;
+      if (first || fell * st->moved <= max) break;
     }
     if (status != ROT_OK) return status;
     w->moved += st->moved;
@@ -504,46 +507,47 @@ static rot_status sweep(side *w, int *good) {
     look_between(w, st, &g);
     /* A kink beside the nodes, or too many nodes later on: no sweep will do. */
     *good = meet_kinks(w, st, i == 0, st->node + 1 == st->last) &&
-            nodes_wanted(w, st) <= MOST_NODES && (st->wall == NO_WALL || meet_wall(st, g.dim));
+            nodes_wanted(w, st) <= MAX_NODES &&
+            (st->surface == NO_SURFACE || meet_surface(st, g.dim));
     if (!*good) return ROT_OK;
     start = st->y + g.dim;
-    if (st->wall != NO_WALL && i + 1 < w->n_steps) st[1].t = st->end;
+    if (st->surface != NO_SURFACE && i + 1 < w->n_steps) st[1].t = st->end;
   }
   return ROT_OK;
 }
 
 /* ---- both sides ------------------------------------------------------------------------------ */
 
-/* The walls beside a step, and that which it ends on. Walls in time are its ends already. */
-static void beside_walls(const side *w, step *st) {
+/* The surfaces beside a step, and that which it ends on. surfaces in time are its ends already. */
+static void beside_surfaces(const side *w, step *st) {
   const size_t dim = w->p->dim;
-  const double *a = rot_dense_node(&w->track->nodes, st->node) + 1, *b = a + 1 + 2 * dim;
-  const int last = st->node + 1 == st->last && st->last + 1 < w->track->nodes.count;
-  st->wall = NO_WALL;
+  const double *a = rot_dense_node(&w->trajectory->nodes, st->node) + 1, *b = a + 1 + 2 * dim;
+  const int last = st->node + 1 == st->last && st->last + 1 < w->trajectory->nodes.count;
+  st->surface = NO_SURFACE;
   for (size_t k = 0; k < w->p->controlled; k++) {
     st->low[k] = -INFINITY;
     st->high[k] = INFINITY;
   }
-  for (size_t i = 0; i < w->walls->count; i++) {
-    const rot_ode_wall *wall = &w->walls->wall[i];
-    const size_t k = wall->component;
+  for (size_t i = 0; i < w->surfaces->count; i++) {
+    const rot_ode_surface *surface = &w->surfaces->surface[i];
+    const size_t k = surface->component;
     if (k == dim) continue;
     const double mid = 0.5 * (a[k] + b[k]) + 0.125 * st->h * (a[dim + k] - b[dim + k]);
-    const int above = mid > 0.5 * (wall->below + wall->above);
-    const double level = above ? wall->above : wall->below;
+    const int above = mid > 0.5 * (surface->below + surface->above);
+    const double level = above ? surface->above : surface->below;
     if (above) st->low[k] = fmax(st->low[k], level);
     if (!above) st->high[k] = fmin(st->high[k], level);
-    if (last && fabs(b[k] - level) <= ON_WALL * w->size[k]) {
-      st->wall = k;
+    if (last && fabs(b[k] - level) <= ON_SURFACE * w->size[k]) {
+      st->surface = k;
       st->level = level;
     }
   }
 }
 
-/* The steps of the track, its stretches apart. */
+/* The steps of the trajectory, its segments apart. */
 static rot_status side_begin(side *w) {
-  const rot_dense *nodes = &w->track->nodes;
-  const size_t dim = w->p->dim, each = (2 + MOST_NODES) * dim;
+  const rot_dense *nodes = &w->trajectory->nodes;
+  const size_t dim = w->p->dim, each = (2 + MAX_NODES) * dim;
   w->steps = calloc(nodes->count + 1, sizeof *w->steps);
   w->data = calloc((nodes->count + 1) * each, sizeof *w->data);
   if (!w->steps || !w->data) return ROT_ENOMEM;
@@ -572,7 +576,7 @@ static rot_status side_begin(side *w) {
   for (size_t i = w->n_steps; i-- > 0;) {
     step *st = &w->steps[i];
     if (i + 1 < w->n_steps && st[1].first == st->first) st->last = st[1].last;
-    beside_walls(w, st);
+    beside_surfaces(w, st);
   }
   return ROT_OK;
 }
@@ -584,7 +588,7 @@ typedef struct solution {
   const side *w;
   const step *st;
   const double *error; /* of each component */
-  double called[MOST_NODES * (MOST_NODES + 1)];
+  double called[MAX_NODES * (MAX_NODES + 1)];
 } solution;
 
 static void state_in(void *path, double t, double y[]) {
@@ -596,7 +600,7 @@ static int believed_in(void *path, double t, double y[], double slope[], double 
                        double slope_unsure[]) {
   const solution *v = path;
   const size_t dim = v->w->p->dim;
-  double polynomial[MOST_NODES + 1];
+  double polynomial[MAX_NODES + 1];
   legendre_at(v->st, t, polynomial);
   for (size_t k = 0; k < dim; k++) {
     y[k] = legendre_state(v->st, polynomial, dim, k);
@@ -617,7 +621,7 @@ static rot_status call_in(void *path, double t, const double y[], double dydt[])
 static rot_ode_piece piece_of(solution *v) {
   const step *st = v->st;
   size_t n = 0;
-  for (size_t s = FIRST_NODES; s <= MOST_NODES; s++) {
+  for (size_t s = FIRST_NODES; s <= MAX_NODES; s++) {
     for (size_t j = 0; j < s && st->swept >> s & 1UL; j++) {
       const double at = st->from + 0.5 * st->h * (1.0 + v->w->rules[s].x[j]);
       const double part = (at - st->t) / (st->end - st->t);
@@ -648,7 +652,7 @@ static rot_status probe_steps(const side *w, rot_ode_probes *probes, const doubl
 /* The law's own slope; NaN at breaks. */
 static rot_status slope_of_row(const side *w, const step *st, rot_ode_probes *probes,
                                const double error[], double t, double *slope) {
-  double dydt[MOST_DIM];
+  double dydt[MAX_DIM];
   int known;
   *slope = NAN;
   if (!probes || (t == st->end && st->node + 1 == st->last)) return ROT_OK;
@@ -662,7 +666,7 @@ static rot_status slope_of_row(const side *w, const step *st, rot_ode_probes *pr
 static rot_status fill_rows(const side *w, const rot_ode_output *rows, rot_ode_probes *probes,
                             const double error[], int forward) {
   const size_t dim = w->p->dim, total = forward ? rows->n - rows->before : rows->before;
-  const double way = forward ? 1.0 : -1.0;
+  const double direction = forward ? 1.0 : -1.0;
   size_t i = 0;
   rot_status status = ROT_OK;
   for (size_t k = 0; k < total && status == ROT_OK; k++) {
@@ -672,7 +676,7 @@ static rot_status fill_rows(const side *w, const rot_ode_output *rows, rot_ode_p
     if (t == w->p->start_s || w->n_steps == 0) {
       memcpy(y, w->p->start, dim * sizeof *y);
     } else {
-      while (i + 1 < w->n_steps && way * (t - w->steps[i].end) > 0.0) i++;
+      while (i + 1 < w->n_steps && direction * (t - w->steps[i].end) > 0.0) i++;
       const step *st = &w->steps[i];
       if (t == st->end) {
         memcpy(y, st->y + dim, dim * sizeof *y);
@@ -687,21 +691,22 @@ static rot_status fill_rows(const side *w, const rot_ode_output *rows, rot_ode_p
 }
 
 /* Share of the accuracy that the polynomials may leave out. */
-#define MOST_LEFT_OUT 0.02
+#define MAX_LEFT_OUT 0.02
 /* The error of a sweep: its distance from the one before, times what that fell by, times this; and
  * at least a part of the distance. */
-#define SWEEP_MARGIN  4.0
-#define LEAST_PART    0.02
+#define SWEEP_MARGIN 4.0
+#define MIN_PART     0.02
 /* How often counts what kinks may have changed that the nodes do not show. */
-#define MISSED_COUNT  3.0
+#define MISSED_COUNT 3.0
 /* Sweeps that are no further apart, of the size, show rounding. */
-#define ROUNDING      (32.0 * ROT_EPS)
+#define ROUNDING     (32.0 * ROT_EPS)
 
 /* One sweep over both sides; its part of the distance from the one before. */
-static rot_status sweep_sides(side sides[2], double last, double *part, double *apart, int *good) {
+static rot_status sweep_sides(side sides[2], double last, double *part, double *difference,
+                              int *good) {
   double moved = 0.0, fell = 0.0;
   const side *w = &sides[0];
-  memset(w->apart, 0, w->p->dim * sizeof *w->apart);
+  memset(w->difference, 0, w->p->dim * sizeof *w->difference);
   memset(w->left_out, 0, w->p->dim * sizeof *w->left_out);
   *good = 1;
   for (int forward = 0; forward < 2 && *good; forward++) {
@@ -711,48 +716,48 @@ static rot_status sweep_sides(side sides[2], double last, double *part, double *
     moved += sides[forward].moved;
     fell += sides[forward].moved_fell;
   }
-  *apart = 0.0;
+  *difference = 0.0;
   for (size_t k = 0; k < w->p->controlled; k++) {
-    if (w->size[k] > 0.0) *apart = fmax(*apart, w->apart[k] / w->size[k]);
+    if (w->size[k] > 0.0) *difference = fmax(*difference, w->difference[k] / w->size[k]);
   }
-  fell = moved > 0.0 && *apart <= last ? fell / moved : *apart > 0.0 ? 1.0 : 0.0;
-  *part = fell < 0.5 ? fmin(1.0, fmax(LEAST_PART, SWEEP_MARGIN * fell / (1.0 - fell))) : 1.0;
+  fell = moved > 0.0 && *difference <= last ? fell / moved : *difference > 0.0 ? 1.0 : 0.0;
+  *part = fell < 0.5 ? fmin(1.0, fmax(MIN_PART, SWEEP_MARGIN * fell / (1.0 - fell))) : 1.0;
   return ROT_OK;
 }
 
-rot_status rot_ode_collocate(const rot_ode_params *p, const rot_ode_track track[2],
-                             const rot_ode_walls *walls, const rot_ode_output *rows,
+rot_status rot_ode_collocate(const rot_ode_params *p, const rot_ode_trajectory trajectory[2],
+                             const rot_ode_surfaces *surfaces, const rot_ode_output *rows,
                              rot_ode_probes *probes, const rot_hooks *hooks, rot_info *info,
                              int *good) {
   const size_t dim = p->dim;
-  rule *rules = calloc(MOST_NODES + 1, sizeof *rules);
-  double *scratch = calloc(4 * dim, sizeof *scratch), apart = INFINITY;
+  rule *rules = calloc(MAX_NODES + 1, sizeof *rules);
+  double *scratch = calloc(4 * dim, sizeof *scratch), difference = INFINITY;
   side sides[2] = {{.p = p}, {.p = p}};
   rot_status status = rules && scratch ? ROT_OK : ROT_ENOMEM;
   *good = 0;
   for (int forward = 0; forward < 2 && status == ROT_OK; forward++) {
     sides[forward] = (side){.p = p,
-                            .track = &track[forward],
-                            .walls = walls,
+                            .trajectory = &trajectory[forward],
+                            .surfaces = surfaces,
                             .hooks = hooks,
                             .info = info,
                             .rules = rules,
                             .size = scratch,
-                            .apart = scratch + 2 * dim,
+                            .difference = scratch + 2 * dim,
                             .left_out = scratch + 3 * dim,
-                            .wanted = MOST_LEFT_OUT * p->accuracy,
+                            .wanted = MAX_LEFT_OUT * p->accuracy,
                             .slope_of = rows->slope ? p->sloped : dim};
     status = side_begin(&sides[forward]);
   }
-  int solved = !track[0].slid && !track[1].slid;
-  for (int k = 0; k < MOST_SWEEPS && status == ROT_OK && solved && !*good; k++) {
-    double part, last = apart, worst = 0.0;
-    status = sweep_sides(sides, last, &part, &apart, &solved);
+  int solved = !trajectory[0].slid && !trajectory[1].slid;
+  for (int k = 0; k < MAX_SWEEPS && status == ROT_OK && solved && !*good; k++) {
+    double part, last = difference, worst = 0.0;
+    status = sweep_sides(sides, last, &part, &difference, &solved);
     if (status != ROT_OK || !solved || k == 0) continue;
     const double missed = MISSED_COUNT * sqrt(sides[0].missed + sides[1].missed);
     for (size_t i = 0; i < dim; i++) {
       const double size = scratch[i];
-      rows->error[i] = part * sides[0].apart[i] + sides[0].left_out[i] + missed * size;
+      rows->error[i] = part * sides[0].difference[i] + sides[0].left_out[i] + missed * size;
       if (i < p->controlled && size > 0.0) worst = fmax(worst, rows->error[i] / size);
     }
     *good = worst <= fmax(p->accuracy, ROUNDING);

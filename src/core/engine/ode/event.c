@@ -9,34 +9,34 @@
 typedef struct look {
   rot_ode_event event;
   double level;
-  size_t wall; /* or NO_WALL */
-  int turns;   /* the switch */
-  int slides;  /* the function is rot_ode_hold_of_slide() */
-  int kink;    /* need not be met exactly */
+  size_t surface; /* or NO_SURFACE */
+  int turns;      /* the switch */
+  int slides;     /* the function is rot_ode_hold_of_slide() */
+  int kink;       /* need not be met exactly */
 } look;
 
-static size_t first_wall(const rot_ode_params *p) { return (p->turn != NULL) + p->n_events; }
+static size_t first_surface(const rot_ode_params *p) { return (p->turn != NULL) + p->n_events; }
 
 static size_t watched(const rot_ode_search *in) {
-  return first_wall(in->law->p) + in->law->walls->count;
+  return first_surface(in->law->p) + in->law->surfaces->count;
 }
 
-size_t rot_ode_wall_of(const rot_ode_search *in, size_t which) {
-  const size_t first = first_wall(in->law->p);
-  return which >= first && which < watched(in) ? which - first : NO_WALL;
+size_t rot_ode_surface_of(const rot_ode_search *in, size_t which) {
+  const size_t first = first_surface(in->law->p);
+  return which >= first && which < watched(in) ? which - first : NO_SURFACE;
 }
 
-/* The switch counts as the first event, walls as the last. */
+/* The switch counts as the first event, surfaces as the last. */
 static look look_at(const rot_ode_search *in, size_t which) {
   const rot_ode_switch *turn = in->law->p->turn;
-  look l = {.wall = rot_ode_wall_of(in, which), .turns = turn && which == 0};
+  look l = {.surface = rot_ode_surface_of(in, which), .turns = turn && which == 0};
   if (l.turns) {
     l.event.component = turn->watched;
-  } else if (l.wall != NO_WALL) {
-    const rot_ode_wall *w = &in->law->walls->wall[l.wall];
+  } else if (l.surface != NO_SURFACE) {
+    const rot_ode_surface *w = &in->law->surfaces->surface[l.surface];
     l.event.component = w->component;
-    l.level = in->law->side[l.wall] > 0 ? w->below : w->above;
-    l.slides = in->law->side[l.wall] == 0;
+    l.level = in->law->side[l.surface] > 0 ? w->below : w->above;
+    l.slides = in->law->side[l.surface] == 0;
     l.kink = w->below == w->above;
   } else {
     l.event = in->law->p->events[which - (turn != NULL)];
@@ -71,15 +71,15 @@ static int sign_of(double x) { return (x > 0.0) - (x < 0.0); }
 
 /* `fired`: the watch whose zero this is, with the value `at`. */
 static void arm(rot_ode_search *in, size_t k, int fired, double at) {
-  const double way = rot_ode_way(in->clock);
+  const double sign = rot_ode_direction(in->clock);
   const look l = look_at(in, k);
   rot_ode_watch *w = &in->watch[k];
   w->value = value_at(in, &l, in->clock->t, in->state->y);
-  if (l.wall != NO_WALL) { /* a slide lasts while its function is positive */
+  if (l.surface != NO_SURFACE) { /* a slide lasts while its function is positive */
     const int time = l.event.component == in->law->p->dim;
     w->fresh = !time && !l.slides && (fired || w->value == 0.0);
     if (w->fresh) w->value = 0.0;
-    w->side = time ? 0 : l.slides ? 1 : in->law->side[l.wall];
+    w->side = time ? 0 : l.slides ? 1 : in->law->side[l.surface];
     return;
   }
   if (l.turns) {
@@ -94,7 +94,7 @@ static void arm(rot_ode_search *in, size_t k, int fired, double at) {
   }
   if (w->side == 0) {
     w->side =
-        sign_of(way * rise_at(in, &l, in->clock->t, in->state->y, in->state->slope, in->step->h));
+        sign_of(sign * rise_at(in, &l, in->clock->t, in->state->y, in->state->slope, in->step->h));
   }
   w->fresh = w->value == 0.0 && w->side != 0;
 }
@@ -114,7 +114,7 @@ void rot_ode_watch_on(rot_ode_search *in, size_t passed) {
     w->value = w->fresh ? 0.0 : value;
     if (w->fresh) {
       w->side = -w->side;
-    } else if (l.wall == NO_WALL && !l.turns && value != 0.0) {
+    } else if (l.surface == NO_SURFACE && !l.turns && value != 0.0) {
       w->side = sign_of(value);
     }
   }
@@ -133,14 +133,14 @@ int rot_ode_is_beyond(rot_ode_search *in, size_t which) {
   return side != 0 && !(side * value >= 0.0) && fires(in, &l, side);
 }
 
-int rot_ode_passes_wall(const rot_ode_search *in) {
+int rot_ode_passes_surface(const rot_ode_search *in) {
   const rot_ode_law *law = in->law;
-  for (size_t k = 0; k < law->walls->count; k++) {
+  for (size_t k = 0; k < law->surfaces->count; k++) {
     const int side = law->side[k];
-    const int fresh = in->watch[first_wall(law->p) + k].fresh;
+    const int fresh = in->watch[first_surface(law->p) + k].fresh;
     if (rot_ode_is_time(law, k) || side == 0 || fresh) continue;
-    const size_t c = law->walls->wall[k].component;
-    const double level = look_at(in, first_wall(law->p) + k).level;
+    const size_t c = law->surfaces->surface[k].component;
+    const double level = look_at(in, first_surface(law->p) + k).level;
     const double from = in->state->y[c] - level, to = in->step->trial[c] - level;
     if (side * from > 0.0 && side * to <= 0.0) return 1;
   }
@@ -215,7 +215,7 @@ static double zero_near(sight *s, double x) {
 #define KINK_RESOLVED 1e-3
 
 /* Of the span: a jump at the time 0, where a run begins, has no place relative to the time. */
-#define LEAST_TIME 1e-48
+#define MIN_TIME 1e-48
 
 /* Positive at the start and not so after hi: re-step to the zero by Newton, kept between. *hi
  * becomes that step, trial the state there. */
@@ -237,7 +237,7 @@ static rot_status find_zero(sight *s, double *hi) {
     if (status != ROT_OK) return status;
     const double next = is_function(&s->at) ? x - s->value / s->rise : zero_near(s, x);
     double resolved = 2.0 * ROT_EPS * fmax(fabs(in->clock->t), fabs(x));
-    resolved = fmax(resolved, LEAST_TIME * span);
+    resolved = fmax(resolved, MIN_TIME * span);
     if (s->at.kink) resolved = fmax(resolved, KINK_RESOLVED * in->law->p->accuracy * fabs(*hi));
     if (s->value > 0.0) {
       lo = x;
@@ -255,7 +255,8 @@ static rot_status find_zero(sight *s, double *hi) {
     const int inside = (next - lo) * (next - high) < 0.0; /* NaN is not */
     x = inside ? next : lo + 0.5 * (high - lo);
   }
-  if (s->at.slides) { /* on, so far that the slope leaves the wall; it is lost only as the square */
+  /* On, so far that the slope leaves the surface; it is lost only as the square. */
+  if (s->at.slides) {
     x += copysign(fmax(1e-8 * fabs(*hi), 8.0 * ROT_EPS * fabs(in->clock->t)), *hi);
     const rot_status status = attempt_part(s, x);
     if (status != ROT_OK) return status;
@@ -274,7 +275,7 @@ static rot_status cut(sight *s, double part, double *h, rot_ode_passage *what) {
   return ROT_OK;
 }
 
-/* The stretch begins at zero and the step ends on the wrong side: was it on the right one? */
+/* The segment begins at zero and the step ends on the wrong side: was it on the right one? */
 static rot_status leave_zero(sight *s, size_t which, double *h, rot_ode_passage *what) {
   const int is_other = !s->at.turns;
   double best = 0.0, x = 0.0;
@@ -307,7 +308,7 @@ static rot_status leave_zero(sight *s, size_t which, double *h, rot_ode_passage 
   if (status != ROT_OK) return status;
   /* It touched zero and went back. */
   s->in->watch[which].side = -s->in->watch[which].side;
-  if (s->at.wall != NO_WALL) *what = ROT_ODE_OTHER_SIDE;
+  if (s->at.surface != NO_SURFACE) *what = ROT_ODE_OTHER_SIDE;
   return ROT_OK;
 }
 
@@ -348,7 +349,7 @@ static void sample_step(const sight *s, double v[PARTS + 1]) {
 
 /* Does the cubic of the even samples miss the odd ones by more than a tenth of `size`? */
 static int coarse(const sight *s, const double v[PARTS + 1], double size) {
-  double apart = 0.0, highest = 0.0;
+  double difference = 0.0, highest = 0.0;
   const double span = s->in->clock->end - s->in->law->p->start_s;
   if (!(fabs(s->h) > RESOLVED * fabs(span))) return 0;
   for (int k = 0; k <= PARTS; k++) highest = fmax(highest, fabs(v[k]));
@@ -359,24 +360,24 @@ static int coarse(const sight *s, const double v[PARTS + 1], double size) {
                          v[a + 2] * x * (x - 2.0) * (x - 3.0) / 2.0 -
                          v[a + 4] * x * (x - 1.0) * (x - 3.0) / 2.0 +
                          v[a + 6] * x * (x - 1.0) * (x - 2.0) / 6.0;
-    apart = fmax(apart, fabs(v[k] - cubic));
+    difference = fmax(difference, fabs(v[k] - cubic));
   }
-  return apart > 0.1 * size && apart > 1e-9 * highest;
+  return difference > 0.1 * size && difference > 1e-9 * highest;
 }
 
 /* Where the function comes below `least` within a step with both ends above zero, or that begins at
  * zero: x, 1 where it does not, -1 where eight parts of the step do not resolve it. A function of
  * time may pass zero and come back where the motion rests, and the steps, which see the motion
- * alone, are long: of 977 drives with dry friction one missed a stretch of slip. */
-static double dip_of(const sight *s, double least, int fresh) {
+ * alone, are long: of 977 drives with dry friction one missed a segment of slip. */
+static double dip_of(const sight *s, double min, int fresh) {
   double v[PARTS + 1], lowest = INFINITY, dip = 1.0;
   const double bottom = minimum_of(s); /* between two samples */
-  if (bottom < 1.0 && cubic(s->w, bottom) < least) return bottom;
+  if (bottom < 1.0 && cubic(s->w, bottom) < min) return bottom;
   sample_step(s, v);
   for (int k = 0; k <= PARTS; k++) {
     if (k > 0 || !fresh) lowest = fmin(lowest, v[k]);
-    if (k > 0 && k < PARTS && v[k] < least) {
-      least = v[k];
+    if (k > 0 && k < PARTS && v[k] < min) {
+      min = v[k];
       dip = k / (double)PARTS;
     }
   }
@@ -386,8 +387,8 @@ static double dip_of(const sight *s, double least, int fresh) {
     if (!(v[k] <= v[k - 1] && v[k] <= v[k + 1] && bend > 0.0)) continue;
     const double x = (k - tilt / bend) / PARTS, here = seen(s, x);
     lowest = fmin(lowest, here);
-    if (here < least) {
-      least = here;
+    if (here < min) {
+      min = here;
       dip = x;
     }
   }

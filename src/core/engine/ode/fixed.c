@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "engine/ode/march.h"
+#include "engine/ode/stepping.h"
 #include "engine/ode/norm.h"
 #include "ground/real.h"
 
@@ -23,39 +23,39 @@ static void note_errors(const rot_ode_params *p, const rot_ode_output *out, cons
   const double factor = rot_ode_fixed_factor(order_of(p->method));
   const double rounding = 4.0 * ROT_EPS * sqrt(1.0 + (double)half_steps);
   for (size_t m = 0; m < rot_ode_measures(p); m++) {
-    double most = half_rows < rows ? INFINITY : 0.0;
+    double max = half_rows < rows ? INFINITY : 0.0;
     for (size_t i = 0; i < rows && i < half_rows; i++) {
       const double *x = out->y + i * p->dim, *y = half + i * p->dim;
       for (size_t k = 0; k < p->dim; k++) change[k] = y[k] - x[k];
-      const double apart = rot_ode_apart(rot_ode_group_of(p, m), x, change);
-      if (!(apart <= most)) most = apart;
+      const double difference = rot_ode_difference(rot_ode_group_of(p, m), x, change);
+      if (!(difference <= max)) max = difference;
     }
-    out->error[m] = factor * most + rounding * out->largest[m];
+    out->error[m] = factor * max + rounding * out->largest[m];
   }
 }
 
 rot_status rot_ode_run_fixed(const rot_ode_params *p, const rot_ode_output *out,
                              const rot_hooks *hooks, rot_info *info) {
   const size_t dim = p->dim;
-  rot_ode_walls *walls = calloc(1, sizeof *walls);
+  rot_ode_surfaces *surfaces = calloc(1, sizeof *surfaces);
   double *half = malloc((out->n ? out->n : 1) * dim * sizeof *half);
   double *scratch = calloc(5 * dim, sizeof *scratch);
   rot_ode_trace traces[2] = {{.count = 0}};
-  info->status = walls && half && scratch ? ROT_OK : ROT_ENOMEM;
+  info->status = surfaces && half && scratch ? ROT_OK : ROT_ENOMEM;
   if (info->status == ROT_OK) {
     const int first_mode = p->mode ? *p->mode : 0;
-    const size_t most = (size_t)-1;
+    const size_t max = (size_t)-1;
     rot_ode_job job = {.p = p,
                        .rows = *out,
                        .method = p->method,
                        .step_s = 0.5 * p->step_s,
-                       .budget = p->max_steps > most / 4 ? most : 2 * p->max_steps + 64,
+                       .budget = p->max_steps > max / 4 ? max : 2 * p->max_steps + 64,
                        .parts = 1,
                        .trace = traces,
-                       .walls = walls,
+                       .surfaces = surfaces,
                        .largest = scratch + dim,
                        .first_mode = first_mode};
-    job.errors.share = scratch + 2 * dim;
+    job.errors.fraction = scratch + 2 * dim;
     job.errors.moved = scratch + 3 * dim;
     job.errors.missed = scratch + 4 * dim;
     job.rows.y = half;
@@ -79,15 +79,16 @@ rot_status rot_ode_run_fixed(const rot_ode_params *p, const rot_ode_output *out,
   for (int k = 0; k < 2; k++) free(traces[k].data);
   free(scratch);
   free(half);
-  free(walls);
+  free(surfaces);
   return info->status;
 }
 
 /* ---- the length of a step -------------------------------------------------------------------- */
 
-double rot_fixed_step_s(const rot_pace *pace, double span_s) {
+double rot_fixed_step_s(const rot_time_scales *time_scales, double span_s) {
   enum { STEPS = 64 };
-  const double shortest = fmin(2.0 * PI / pace->swing_rad_per_s, pace->fades_s) / STEPS;
+  const double shortest =
+      fmin(2.0 * PI / time_scales->swing_rad_per_s, time_scales->fades_s) / STEPS;
   if (shortest > 0.0 && isfinite(shortest)) return shortest;
   return span_s > 0.0 && isfinite(span_s) ? 1e-3 * span_s : 1.0;
 }
@@ -96,14 +97,16 @@ static double span_of(size_t n, const double time_s[], double start_s) {
   return n ? fmax(fabs(time_s[0] - start_s), fabs(time_s[n - 1] - start_s)) : 0.0;
 }
 
-double rot_fixed_task_step_s(const rot_task *task, double start_s, const rot_pace *pace) {
-  return task->step_s > 0.0 ? task->step_s
-                            : rot_fixed_step_s(pace, span_of(task->n, task->time_s, start_s));
+double rot_fixed_task_step_s(const rot_task *task, double start_s,
+                             const rot_time_scales *time_scales) {
+  return task->step_s > 0.0
+             ? task->step_s
+             : rot_fixed_step_s(time_scales, span_of(task->n, task->time_s, start_s));
 }
 
 double rot_fixed_cost_s(const rot_model *model, const rot_query *query, double start_s,
-                        const rot_pace *pace) {
+                        const rot_time_scales *time_scales) {
   const double span = span_of(query->n, query->time_s, start_s);
-  const double steps = fmin(span / rot_fixed_step_s(pace, span), 1e300) + (double)query->n;
+  const double steps = fmin(span / rot_fixed_step_s(time_scales, span), 1e300) + (double)query->n;
   return 3.0 * steps * (model->seconds[0] + query->law_s);
 }

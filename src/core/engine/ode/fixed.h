@@ -26,11 +26,12 @@ rot_status rot_ode_run_fixed(const rot_ode_params *p, const rot_ode_output *out,
 
 /* Of a run of which no step is given: 1/64 of the shortest period or decay of the start; 1/1000 of
  * the span where there is none. */
-double rot_fixed_step_s(const rot_pace *pace, double span_s);
-double rot_fixed_task_step_s(const rot_task *task, double start_s, const rot_pace *pace);
+double rot_fixed_step_s(const rot_time_scales *time_scales, double span_s);
+double rot_fixed_task_step_s(const rot_task *task, double start_s,
+                             const rot_time_scales *time_scales);
 /* Predicted time of a run: seconds of a step. */
 double rot_fixed_cost_s(const rot_model *model, const rot_query *query, double start_s,
-                        const rot_pace *pace);
+                        const rot_time_scales *time_scales);
 
 /* The three models of a constraint, items of its list, and their runs. */
 #define ROT_FIXED_MODELS(prefix, takes, why_not, cost_s)                                           \

@@ -14,7 +14,7 @@ enum { GAPS = 12, SIDE = 3 };
 /* A cubic between two states, and room for what is sampled along it. */
 typedef struct path {
   rot_ode_law *law;
-  double t, h, wish;             /* wish: a step here, by which walls are apart */
+  double t, h, wish;             /* wish: a step here, by which surfaces are apart */
   double *y[2], *slope[2];       /* at its ends */
   double *state, *moved, *after; /* dim each */
   double *sample;                /* GAPS + 1 times dim */
@@ -45,7 +45,7 @@ static double parabola_zero(const double d[3]) {
 
 /* The parabolas through three values on the left and on the right of a point, 1, 3 and 5 away:
  * their difference at -1, 0 and 1. */
-static void apart_parabolas(const double l[SIDE], const double r[SIDE], double d[3]) {
+static void difference_parabolas(const double l[SIDE], const double r[SIDE], double d[3]) {
   d[0] = (3.0 * r[0] - 3.0 * r[1] + r[2]) - l[0];
   d[1] = (1.875 * r[0] - 1.25 * r[1] + 0.375 * r[2]) - (1.875 * l[0] - 1.25 * l[1] + 0.375 * l[2]);
   d[2] = r[0] - (3.0 * l[0] - 3.0 * l[1] + l[2]);
@@ -77,7 +77,7 @@ static double rises(const path *w, size_t k, double rise[GAPS]) {
 /* The sharpest kink of the samples, as a part of the path, in component *which of the slope; NaN
  * where they show none. */
 static double sharpest(const path *w, size_t *which) {
-  double most = 0.0, s = NAN;
+  double max = 0.0, s = NAN;
   *which = 0;
   for (size_t k = 0; k < w->law->p->controlled; k++) {
     double rise[GAPS];
@@ -86,8 +86,8 @@ static double sharpest(const path *w, size_t *which) {
       const double turn = rise[i + 1] - rise[i - 1], part = (rise[i + 1] - rise[i]) / turn;
       const double smooth = (i > 1 ? fabs(rise[i - 1] - rise[i - 2]) : 0.0) +
                             (i + 2 < GAPS ? fabs(rise[i + 2] - rise[i + 1]) : 0.0);
-      if (part >= -0.1 && part <= 1.1 && fabs(turn) > fmax(SHARP * smooth, most * size)) {
-        most = fabs(turn) / size;
+      if (part >= -0.1 && part <= 1.1 && fabs(turn) > fmax(SHARP * smooth, max * size)) {
+        max = fabs(turn) / size;
         s = ((double)i + part) / GAPS;
         *which = k;
       }
@@ -115,18 +115,19 @@ static rot_status slope_with(const path *w, double t, size_t i, double x, size_t
 
 /* The difference of the parabolas on the two sides of *x along coordinate i, as `strength`, twice
  * `apart` times the jump of the slope; *x moves to where they meet, at most `apart` from it. */
-static rot_status kink_along(const path *w, double t, size_t i, size_t k, double apart, double *x,
-                             double *strength) {
+static rot_status kink_along(const path *w, double t, size_t i, size_t k, double difference,
+                             double *x, double *strength) {
   double f[2][SIDE], d[3];
   for (int j = 0; j < 2 * SIDE; j++) {
-    const double way = j < SIDE ? -1.0 : 1.0;
-    const rot_status status = slope_with(w, t, i, *x + way * (double)(1 + 2 * (j % SIDE)) * apart,
-                                         k, &f[j / SIDE][j % SIDE]);
+    const double direction = j < SIDE ? -1.0 : 1.0;
+    const rot_status status =
+        slope_with(w, t, i, *x + direction * (double)(1 + 2 * (j % SIDE)) * difference, k,
+                   &f[j / SIDE][j % SIDE]);
     if (status != ROT_OK) return status;
   }
-  apart_parabolas(f[0], f[1], d);
+  difference_parabolas(f[0], f[1], d);
   *strength = fabs(d[2] - d[0]);
-  *x += apart * (2.0 * parabola_zero(d) - 1.0);
+  *x += difference * (2.0 * parabola_zero(d) - 1.0);
   return ROT_OK;
 }
 
@@ -140,11 +141,11 @@ static rot_status find(const path *w, double *s) {
   return kink_along(w, 0.0, w->law->p->dim + 1, which, 0.125 / GAPS, s, &strength);
 }
 
-/* ---- walls ----------------------------------------------------------------------------------- */
+/* ---- surfaces -------------------------------------------------------------------------------- */
 
 /* The gap of the samples over which component *which of the slope jumps; -1: there is none. */
 static int jump_gap(const path *w, size_t *which) {
-  double most = 0.0;
+  double max = 0.0;
   int gap = -1;
   for (size_t k = 0; k < w->law->p->controlled; k++) {
     double rise[GAPS];
@@ -154,8 +155,8 @@ static int jump_gap(const path *w, size_t *which) {
       for (int j = -2; j <= 2; j++) {
         if (j && i + j >= 0 && i + j < GAPS) beside = fmax(beside, fabs(rise[i + j]));
       }
-      if (fabs(rise[i]) > fmax(SHARP / 2.0 * beside, most * size)) {
-        most = fabs(rise[i]) / size;
+      if (fabs(rise[i]) > fmax(SHARP / 2.0 * beside, max * size)) {
+        max = fabs(rise[i]) / size;
         gap = i;
         *which = k;
       }
@@ -167,7 +168,7 @@ static int jump_gap(const path *w, size_t *which) {
 /* Halves [*lo, *hi] along coordinate i of w->state (dim + 1: along the path) until it is resolved
  * to `least`, keeping the ends on the two sides of a jump of component k; *jumps = 0 where the
  * difference melts away, as that of a smooth function does. */
-static rot_status bisect_jump(const path *w, double t, size_t i, size_t k, double least, double *lo,
+static rot_status bisect_jump(const path *w, double t, size_t i, size_t k, double min, double *lo,
                               double *hi, int *jumps) {
   double a, b, f;
   rot_status status = slope_with(w, t, i, *lo, k, &a);
@@ -175,7 +176,7 @@ static rot_status bisect_jump(const path *w, double t, size_t i, size_t k, doubl
   if (status != ROT_OK) return status;
   const double height = fabs(b - a);
   *jumps = height > 0.0;
-  while (*jumps && fabs(*hi - *lo) > least) {
+  while (*jumps && fabs(*hi - *lo) > min) {
     const double mid = *lo + 0.5 * (*hi - *lo);
     if (mid == *lo || mid == *hi) break;
     status = slope_with(w, t, i, mid, k, &f);
@@ -193,30 +194,30 @@ static rot_status bisect_jump(const path *w, double t, size_t i, size_t k, doubl
 }
 
 /* The coordinate (dim: time) that alone, put to its value of `after`, or of t[1], changes component
- * k of the slope at w->state and t[0], which is a, as far as all do, to b; NO_WALL: none, or
+ * k of the slope at w->state and t[0], which is a, as far as all do, to b; NO_SURFACE: none, or
  * several. */
 static rot_status lone_coordinate(const path *w, const double t[2], const double after[], size_t k,
                                   double a, double b, size_t *which) {
   const size_t dim = w->law->p->dim, controlled = w->law->p->controlled;
   size_t found = 0;
-  *which = NO_WALL;
+  *which = NO_SURFACE;
   for (size_t i = 0; i <= controlled; i++) {
     const size_t c = i < controlled ? i : dim;
     double f;
     const rot_status status = slope_with(w, t[0], c, c < dim ? after[c] : t[1], k, &f);
     if (status != ROT_OK) return status;
-    if (fabs(f - b) < fabs(f - a)) *which = found++ ? NO_WALL : c;
+    if (fabs(f - b) < fabs(f - a)) *which = found++ ? NO_SURFACE : c;
   }
   return ROT_OK;
 }
 
 static int add(const path *w, size_t i, double lo, double hi) {
-  return rot_ode_add_wall(w->law->walls, i, fmin(lo, hi), fmax(lo, hi), w->wish);
+  return rot_ode_add_surface(w->law->surfaces, i, fmin(lo, hi), fmax(lo, hi), w->wish);
 }
 
 /* A jump of component k of the slope between lo and hi, at a value of one coordinate, whatever the
  * others are. */
-static rot_status jump_wall(const path *w, double lo, double hi, size_t k, int *added) {
+static rot_status jump_surface(const path *w, double lo, double hi, size_t k, int *added) {
   const size_t dim = w->law->p->dim;
   double a, b, *after = w->after;
   int jumps;
@@ -232,15 +233,15 @@ static rot_status jump_wall(const path *w, double lo, double hi, size_t k, int *
   memcpy(after, w->state, dim * sizeof *after);
   state_at(w, lo, w->state);
   if (status == ROT_OK) status = lone_coordinate(w, t, after, k, a, b, &which);
-  if (status != ROT_OK || which == NO_WALL) return status;
+  if (status != ROT_OK || which == NO_SURFACE) return status;
   double x[2] = {which < dim ? w->state[which] : t[0], which < dim ? after[which] : t[1]};
   const double whole = which < dim ? fabs(w->y[1][which] - w->y[0][which]) : fabs(w->h);
-  const double least = 2.0 * ROT_EPS * fmin(fabs(x[0]), fabs(x[1])) + 1e-17 * whole;
-  status = bisect_jump(w, t[0], which, k, least, &x[0], &x[1], &jumps);
+  const double min = 2.0 * ROT_EPS * fmin(fabs(x[0]), fabs(x[1])) + 1e-17 * whole;
+  status = bisect_jump(w, t[0], which, k, min, &x[0], &x[1], &jumps);
   if (status != ROT_OK || !jumps) return status;
   /* At the jump itself there may be a third value, as that of sign(0): the levels lie beside it. */
   for (int side = 0; side < 2; side++) {
-    const double out = x[side] + 4.0 * copysign(fmax(least, 1e-300), x[side] - x[1 - side]);
+    const double out = x[side] + 4.0 * copysign(fmax(min, 1e-300), x[side] - x[1 - side]);
     double here, beside;
     status = slope_with(w, t[0], which, x[side], k, &here);
     if (status == ROT_OK) status = slope_with(w, t[0], which, out, k, &beside);
@@ -262,9 +263,9 @@ static rot_status jump_wall(const path *w, double lo, double hi, size_t k, int *
 }
 
 /* A kink of the slope at a value of one coordinate, whatever the others are. */
-static rot_status kink_wall(const path *w, double s, size_t k, int *added) {
+static rot_status kink_surface(const path *w, double s, size_t k, int *added) {
   const size_t dim = w->law->p->dim, controlled = w->law->p->controlled;
-  double most = 0.0, second = 0.0, x = NAN, apart = 0.0, strength;
+  double max = 0.0, second = 0.0, x = NAN, difference = 0.0, strength;
   size_t which = 0;
   const double t = state_at(w, s, w->state);
   for (size_t i = 0; i <= controlled; i++) {
@@ -275,21 +276,21 @@ static rot_status kink_wall(const path *w, double s, size_t k, int *added) {
     if (!(near > 1e-12 * fabs(at))) continue;
     const rot_status status = kink_along(w, t, c, k, near, &at, &strength);
     if (status != ROT_OK) return status;
-    second = fmax(second, strength > most ? most : strength);
-    if (!(strength > most)) continue;
-    most = strength;
+    second = fmax(second, strength > max ? max : strength);
+    if (!(strength > max)) continue;
+    max = strength;
     which = c;
     x = at;
-    apart = near;
+    difference = near;
   }
-  if (isnan(x) || !(most > SHARP * second)) return ROT_OK;
+  if (isnan(x) || !(max > SHARP * second)) return ROT_OK;
   for (int turn = 0; turn < 5; turn++) {
-    apart /= 16.0;
-    const rot_status status = kink_along(w, t, which, k, apart, &x, &strength);
+    difference /= 16.0;
+    const rot_status status = kink_along(w, t, which, k, difference, &x, &strength);
     if (status != ROT_OK || isnan(x)) return status;
   }
   /* The same at the end of the path that is further away. */
-  const double near = 16.0 * 16.0 * apart, there = state_at(w, s < 0.5 ? 1.0 : 0.0, w->state);
+  const double near = 16.0 * 16.0 * difference, there = state_at(w, s < 0.5 ? 1.0 : 0.0, w->state);
   double same = x;
   const rot_status status = kink_along(w, there, which, k, near, &same, &strength);
   if (status == ROT_OK && fabs(same - x) < 0.1 * near) *added = add(w, which, x, x);
@@ -319,19 +320,19 @@ static rot_status step_to(path *w, rot_ode_stepper *s, double t, double h) {
   return status;
 }
 
-/* The cubic of the whole step tells the kink to some h/400. Then a step that ends just before it,
- * and one from there over it, a thirty-second of the length: its cubic is 1000 times as good. Until
- * that is enough. */
+/* (step with a kink) => time of the kink. The cubic of the whole step locates it to some h/400.
+ * Steps 32 times shorter then bracket it, with a cubic error 1000 times smaller; repeated until
+ * resolved. */
 static rot_status close_in(rot_ode_kink_search *in, path *w) {
   const size_t dim = w->law->p->dim;
-  const double h = w->h, apart = sqrt(w->law->p->accuracy) * h / 8.0;
+  const double h = w->h, difference = sqrt(w->law->p->accuracy) * h / 8.0;
   double at = w->t, margin = h / 64.0, s, last, t = NAN;
   rot_status status = find(w, &s);
   do {
     if (status != ROT_OK || isnan(s)) return status;
     last = t;
     t = w->t + s * w->h;
-    if (fabs(t - last) < 1000.0 * fabs(apart)) break;
+    if (fabs(t - last) < 1000.0 * fabs(difference)) break;
     status = step_to(w, in->step, at, t - margin - at);
     if (status != ROT_OK || !(rot_ode_trial_ratio(in->step, w->h) <= 1.0)) return status;
     memcpy(w->y[0], w->y[1], dim * sizeof *w->y[0]);
@@ -340,9 +341,9 @@ static rot_status close_in(rot_ode_kink_search *in, path *w) {
     status = step_to(w, in->step, at, 2.0 * margin);
     if (status == ROT_OK) status = find(w, &s);
     margin /= 32.0;
-  } while (fabs(margin) > fabs(apart) / 1024.0);
-  in->before = t - apart;
-  in->behind = t + apart;
+  } while (fabs(margin) > fabs(difference) / 1024.0);
+  in->before = t - difference;
+  in->behind = t + difference;
   if ((in->before - in->clock->t) * h <= 0.0) in->before = in->behind;
   return ROT_OK;
 }
@@ -351,7 +352,7 @@ static rot_status no_place(rot_status status) {
   return rot_ode_may_retry(status) ? ROT_OK : status;
 }
 
-static rot_status look(rot_ode_kink_search *in, double h, int walls_alone) {
+static rot_status look(rot_ode_kink_search *in, double h, int surfaces_alone) {
   const size_t size = in->law->p->dim * sizeof(double);
   double *scratch = malloc((GAPS + 8) * size);
   if (!scratch) return ROT_ENOMEM;
@@ -370,30 +371,31 @@ static rot_status look(rot_ode_kink_search *in, double h, int walls_alone) {
     const int gap = jump_gap(&w, &jumps);
     const double s = sharpest(&w, &bends);
     if (gap >= 0) {
-      status = jump_wall(&w, (double)gap / GAPS, (double)(gap + 1) / GAPS, jumps, &added);
+      status = jump_surface(&w, (double)gap / GAPS, (double)(gap + 1) / GAPS, jumps, &added);
     }
-    if (status == ROT_OK && !added && !isnan(s)) status = kink_wall(&w, s, bends, &added);
+    if (status == ROT_OK && !added && !isnan(s)) status = kink_surface(&w, s, bends, &added);
   }
-  if (status == ROT_OK && !added && !walls_alone) status = close_in(in, &w);
+  if (status == ROT_OK && !added && !surfaces_alone) status = close_in(in, &w);
   free(scratch);
   return no_place(status);
 }
 
-rot_status rot_ode_look_for_wall(rot_ode_kink_search *in, double h) { return look(in, h, 1); }
+rot_status rot_ode_look_for_surface(rot_ode_kink_search *in, double h) { return look(in, h, 1); }
 
 /* A smooth law fails the test of a step that it chose itself by less: there may be a kink. */
 #define KINK_RATIO 8.0
-enum { MOST_LOOKS = 6 };
+enum { MAX_LOOKS = 6 };
 
 rot_status rot_ode_look_for_kink(rot_ode_kink_search *in, double h, double ratio, int diverged) {
   const rot_ode_state *state = in->state;
   rot_ode_stepper *s = in->step;
   const double t = in->clock->t;
-  if (!in->found || !(ratio > KINK_RATIO || diverged) || in->law->slides != NO_WALL) return ROT_OK;
+  if (!in->found || !(ratio > KINK_RATIO || diverged) || in->law->slides != NO_SURFACE)
+    return ROT_OK;
   if (state->phase != ROT_ODE_MOVING && state->phase != ROT_ODE_CUT) return ROT_OK;
   in->looks = t == in->looked_t ? in->looks + 1 : 1;
   in->looked_t = t;
-  if (in->looks > MOST_LOOKS) {
+  if (in->looks > MAX_LOOKS) {
     in->found->missed = in->found->missed || !diverged;
     return ROT_OK;
   }
@@ -426,9 +428,9 @@ static void line(path *w, const rot_ode_sight *sight, size_t from) {
   }
 }
 
-/* A wall at the value of the coordinate of the place itself, which alone changes component k from
+/* A surface at the value of the coordinate of the place, which alone changes component k from
  * one end of a line to the other as far as all do. */
-static rot_status wall_at_place(const path *w, size_t k, int *added) {
+static rot_status surface_at_place(const path *w, size_t k, int *added) {
   const double t[2] = {w->t, w->t + w->h};
   const size_t path_ = w->law->p->dim + 1;
   double a, b;
@@ -450,24 +452,24 @@ static rot_status look_at_sight(path *w, const rot_ode_sight *sight, double *bre
     int added;
     if (sight->t[from] == sight->t[from + 1]) continue;
     line(w, sight, from);
-    status = jump_wall(w, 0.0, 1.0, sight->component, &added);
+    status = jump_surface(w, 0.0, 1.0, sight->component, &added);
     any |= added;
   }
   if (status == ROT_OK && !any && sight->t[0] != sight->t[1]) {
     line(w, sight, 0);
-    status = wall_at_place(w, sight->component, &any);
+    status = surface_at_place(w, sight->component, &any);
   }
   *break_s = any ? NAN : sight->t[1];
   return no_place(status);
 }
 
 rot_status rot_ode_look_at_sights(const rot_ode_params *p, const rot_ode_probes *probes,
-                                  rot_ode_walls *walls, double break_s[], rot_info *info) {
+                                  rot_ode_surfaces *surfaces, double break_s[], rot_info *info) {
   const size_t dim = p->dim;
   const int first_mode = p->mode ? *p->mode : 0;
   rot_ode_clock clock = {p, NAN, NAN, 1, -INFINITY, INFINITY, 0};
   rot_ode_state state = {.phase = ROT_ODE_MOVING};
-  rot_ode_law law = {.p = p, .clock = &clock, .info = info, .walls = walls};
+  rot_ode_law law = {.p = p, .clock = &clock, .info = info, .surfaces = surfaces};
   rot_status status = ROT_OK;
   double *scratch = calloc((GAPS + 12) * dim, sizeof *scratch);
   if (!scratch) return ROT_ENOMEM;

@@ -6,60 +6,60 @@
 #include "engine/ode/norm.h"
 #include "ground/real.h"
 
-/* ---- beside walls ---------------------------------------------------------------------------- */
+/* ---- beside surfaces ------------------------------------------------------------------------- */
 
-static void keep_side(const rot_ode_law *law, size_t wall, double *x) {
-  const rot_ode_wall *w = &law->walls->wall[wall];
-  if (law->side[wall] > 0) *x = fmax(*x, w->above);
-  if (law->side[wall] < 0) *x = fmin(*x, w->below);
+static void keep_side(const rot_ode_law *law, size_t surface, double *x) {
+  const rot_ode_surface *w = &law->surfaces->surface[surface];
+  if (law->side[surface] > 0) *x = fmax(*x, w->above);
+  if (law->side[surface] < 0) *x = fmin(*x, w->below);
 }
 
 static void keep_sides(const rot_ode_law *law, double *t, double y[]) {
-  for (size_t k = 0; k < law->walls->count; k++) {
-    keep_side(law, k, rot_ode_is_time(law, k) ? t : &y[law->walls->wall[k].component]);
+  for (size_t k = 0; k < law->surfaces->count; k++) {
+    keep_side(law, k, rot_ode_is_time(law, k) ? t : &y[law->surfaces->surface[k].component]);
   }
 }
 
 double rot_ode_keep_time(const rot_ode_law *law, double t) {
-  for (size_t k = 0; k < law->walls->count; k++) {
+  for (size_t k = 0; k < law->surfaces->count; k++) {
     if (rot_ode_is_time(law, k)) keep_side(law, k, &t);
   }
   return t;
 }
 
-/* Slopes on both sides of a wall. */
-static rot_status both_slopes(rot_ode_law *law, size_t wall, double t, const double y[],
+/* Slopes on both sides of a surface. */
+static rot_status both_slopes(rot_ode_law *law, size_t surface, double t, const double y[],
                               double below[], double above[]) {
-  const int side = law->side[wall];
+  const int side = law->side[surface];
   const size_t slides = law->slides;
-  law->slides = NO_WALL;
-  law->side[wall] = -1;
+  law->slides = NO_SURFACE;
+  law->side[surface] = -1;
   rot_status status = rot_ode_slope_at(law, t, y, below);
-  law->side[wall] = 1;
+  law->side[surface] = 1;
   if (status == ROT_OK) status = rot_ode_slope_at(law, t, y, above);
-  law->side[wall] = side;
+  law->side[surface] = side;
   law->slides = slides;
   return status;
 }
 
 static rot_status sliding_slope(rot_ode_law *law, double t, const double y[], double dydt[]) {
-  const size_t c = law->walls->wall[law->slides].component;
+  const size_t c = law->surfaces->surface[law->slides].component;
   double *above = law->beyond;
   const rot_status status = both_slopes(law, law->slides, t, y, dydt, above);
   if (status != ROT_OK) return status;
-  const double apart = dydt[c] - above[c];
-  const double part = apart != 0.0 ? fmin(1.0, fmax(0.0, dydt[c] / apart)) : 0.5;
+  const double difference = dydt[c] - above[c];
+  const double part = difference != 0.0 ? fmin(1.0, fmax(0.0, dydt[c] / difference)) : 0.5;
   for (size_t i = 0; i < law->p->dim; i++) dydt[i] += part * (above[i] - dydt[i]);
   dydt[c] = 0.0;
   return ROT_OK;
 }
 
 double rot_ode_hold_of_slide(rot_ode_law *law, double t, const double y[]) {
-  const size_t c = law->walls->wall[law->slides].component;
-  const double way = rot_ode_way(law->clock);
+  const size_t c = law->surfaces->surface[law->slides].component;
+  const double direction = rot_ode_direction(law->clock);
   double *below = law->beside, *above = law->beyond;
   if (both_slopes(law, law->slides, t, y, below, above) != ROT_OK) return NAN;
-  return fmin(way * below[c], -way * above[c]);
+  return fmin(direction * below[c], -direction * above[c]);
 }
 
 /* ---- its calls ------------------------------------------------------------------------------- */
@@ -67,19 +67,19 @@ double rot_ode_hold_of_slide(rot_ode_law *law, double t, const double y[]) {
 static void note_stiffness(rot_ode_stiffness *s, double t, const double y[], const double f[]) {
   const rot_ode_params *p = s->p;
   if (t == s->t) {
-    double apart = 0.0, rise = 0.0;
+    double difference = 0.0, rise = 0.0;
     for (size_t i = 0; i < p->controlled; i++) {
       s->y[i] -= y[i];
       s->f[i] -= f[i];
     }
     for (size_t m = 0; m < rot_ode_steering(p); m++) {
       const rot_ode_group g = rot_ode_group_of(p, m);
-      const double size = fmax(ROT_ODE_LEAST_SIZE, fmax(s->largest[m], rot_ode_size(g, y)));
-      apart = fmax(apart, rot_ode_rate(g, s->y) / size);
+      const double size = fmax(ROT_ODE_MIN_SIZE, fmax(s->largest[m], rot_ode_size(g, y)));
+      difference = fmax(difference, rot_ode_rate(g, s->y) / size);
       rise = fmax(rise, rot_ode_rate(g, s->f) / size);
     }
     /* Differences at rounding level say nothing about stiffness. */
-    s->rate = apart > 64.0 * ROT_EPS ? rise / apart : 0.0;
+    s->rate = difference > 64.0 * ROT_EPS ? rise / difference : 0.0;
   }
   s->t = t;
   memcpy(s->y, y, p->controlled * sizeof *y);
@@ -119,9 +119,9 @@ static rot_status call(rot_ode_law *law, double t, const double y[], double dydt
 
 rot_status rot_ode_slope_at(rot_ode_law *law, double t, const double y[], double dydt[]) {
   const rot_ode_clock *clock = law->clock;
-  if (law->slides != NO_WALL) return sliding_slope(law, t, y, dydt);
+  if (law->slides != NO_SURFACE) return sliding_slope(law, t, y, dydt);
   t = t < clock->after ? clock->after : t > clock->before ? clock->before : t;
-  if (law->walls->count) {
+  if (law->surfaces->count) {
     memcpy(law->kept, y, law->p->dim * sizeof *y);
     keep_sides(law, &t, law->kept);
     y = law->kept;
@@ -157,10 +157,10 @@ rot_status rot_ode_check_repeats(rot_ode_law *law, rot_ode_state *state, double 
 
 /* ---- sides ----------------------------------------------------------------------------------- */
 
-static void settle(rot_ode_law *law, rot_ode_state *state, size_t wall, int side) {
-  const rot_ode_wall *w = &law->walls->wall[wall];
-  law->side[wall] = side;
-  law->slides = side ? law->slides == wall ? NO_WALL : law->slides : wall;
+static void settle(rot_ode_law *law, rot_ode_state *state, size_t surface, int side) {
+  const rot_ode_surface *w = &law->surfaces->surface[surface];
+  law->side[surface] = side;
+  law->slides = side ? law->slides == surface ? NO_SURFACE : law->slides : surface;
   state->slope_known = 0;
   if (w->below == w->above) return;
   if (side) {
@@ -170,62 +170,62 @@ static void settle(rot_ode_law *law, rot_ode_state *state, size_t wall, int side
   }
 }
 
-rot_status rot_ode_pass_wall(rot_ode_law *law, rot_ode_state *state, size_t wall) {
-  const size_t c = law->walls->wall[wall].component;
-  const double way = rot_ode_way(law->clock);
-  const int was = law->side[wall];
+rot_status rot_ode_pass_surface(rot_ode_law *law, rot_ode_state *state, size_t surface) {
+  const size_t c = law->surfaces->surface[surface].component;
+  const double direction = rot_ode_direction(law->clock);
+  const int was = law->side[surface];
   double *below = law->beside, *above = law->beyond;
-  const rot_status status = both_slopes(law, wall, law->clock->t, state->y, below, above);
+  const rot_status status = both_slopes(law, surface, law->clock->t, state->y, below, above);
   if (status != ROT_OK && status != ROT_ERHS) return status;
   if (status == ROT_ERHS) {
-    settle(law, state, wall, was ? -was : 1); /* not defined beyond: the next step says so */
+    settle(law, state, surface, was ? -was : 1); /* not defined beyond: the next step says so */
     return ROT_OK;
   }
-  const double down = way * below[c], up = way * above[c];
-  if (down > 0.0 && up < 0.0 && law->slides == NO_WALL) {
-    settle(law, state, wall, 0);
+  const double down = direction * below[c], up = direction * above[c];
+  if (down > 0.0 && up < 0.0 && law->slides == NO_SURFACE) {
+    settle(law, state, surface, 0);
   } else if (was > 0 || (was == 0 && down <= -up)) {
-    settle(law, state, wall, down > 0.0 && up > 0.0 ? 1 : -1);
+    settle(law, state, surface, down > 0.0 && up > 0.0 ? 1 : -1);
   } else {
-    settle(law, state, wall, up < 0.0 && down < 0.0 ? -1 : 1);
+    settle(law, state, surface, up < 0.0 && down < 0.0 ? -1 : 1);
   }
   return ROT_OK;
 }
 
 rot_status rot_ode_choose_side(rot_ode_law *law, rot_ode_state *state, size_t k) {
-  const rot_ode_wall *w = &law->walls->wall[k];
+  const rot_ode_surface *w = &law->surfaces->surface[k];
   const double x = rot_ode_is_time(law, k) ? law->clock->t : state->y[w->component];
   const int later = rot_ode_is_time(law, k) && law->clock->forward ? x >= w->above : x > w->above;
   law->side[k] = later ? 1 : -1;
   if (rot_ode_is_time(law, k) || x < w->below || x > w->above) return ROT_OK;
   law->side[k] = 0;
-  return rot_ode_pass_wall(law, state, k);
+  return rot_ode_pass_surface(law, state, k);
 }
 
 rot_status rot_ode_choose_sides(rot_ode_law *law, rot_ode_state *state) {
   rot_status status = ROT_OK;
-  law->slides = NO_WALL;
+  law->slides = NO_SURFACE;
   memset(law->side, 0, sizeof law->side);
-  for (size_t k = 0; k < law->walls->count && status == ROT_OK; k++)
+  for (size_t k = 0; k < law->surfaces->count && status == ROT_OK; k++)
     status = rot_ode_choose_side(law, state, k);
   return status;
 }
 
-int rot_ode_add_wall(rot_ode_walls *walls, size_t component, double below, double above,
-                     double size) {
+int rot_ode_add_surface(rot_ode_surfaces *surfaces, size_t component, double below, double above,
+                        double size) {
   const double near = 1e-9 * (fabs(below) + fabs(size));
-  if (walls->count == ROT_ODE_MOST_WALLS) return 0;
-  for (size_t k = 0; k < walls->count; k++) {
-    const rot_ode_wall *w = &walls->wall[k];
+  if (surfaces->count == ROT_ODE_MAX_SURFACES) return 0;
+  for (size_t k = 0; k < surfaces->count; k++) {
+    const rot_ode_surface *w = &surfaces->surface[k];
     if (w->component == component && above >= w->below - near && below <= w->above + near) return 0;
   }
-  walls->wall[walls->count++] = (rot_ode_wall){component, below, above};
+  surfaces->surface[surfaces->count++] = (rot_ode_surface){component, below, above};
   return 1;
 }
 
 double rot_ode_next_stop(const rot_ode_law *law, double stop) {
-  for (size_t k = 0; k < law->walls->count; k++) {
-    const rot_ode_wall *w = &law->walls->wall[k];
+  for (size_t k = 0; k < law->surfaces->count; k++) {
+    const rot_ode_surface *w = &law->surfaces->surface[k];
     if (!rot_ode_is_time(law, k)) continue;
     if (law->clock->forward ? law->side[k] < 0 && w->above < stop
                             : law->side[k] > 0 && w->below > stop) {
@@ -236,19 +236,19 @@ double rot_ode_next_stop(const rot_ode_law *law, double stop) {
 }
 
 static int at_time(const rot_ode_law *law, size_t k) {
-  const rot_ode_wall *w = &law->walls->wall[k];
+  const rot_ode_surface *w = &law->surfaces->surface[k];
   return rot_ode_is_time(law, k) && law->side[k] == (law->clock->forward ? -1 : 1) &&
          law->clock->t == (law->clock->forward ? w->above : w->below);
 }
 
-int rot_ode_at_time_wall(const rot_ode_law *law) {
+int rot_ode_at_time_surface(const rot_ode_law *law) {
   int at = 0;
-  for (size_t k = 0; k < law->walls->count; k++) at |= at_time(law, k);
+  for (size_t k = 0; k < law->surfaces->count; k++) at |= at_time(law, k);
   return at;
 }
 
 void rot_ode_pass_time(rot_ode_law *law, rot_ode_state *state) {
-  for (size_t k = 0; k < law->walls->count; k++) {
+  for (size_t k = 0; k < law->surfaces->count; k++) {
     if (at_time(law, k)) law->side[k] = -law->side[k];
   }
   state->slope_known = 0;

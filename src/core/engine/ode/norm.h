@@ -7,7 +7,7 @@
 #include "engine/ode/params.h"
 
 /* Below, doubles have no 16 digits left that an error test could ask for. */
-#define ROT_ODE_LEAST_SIZE 1e-290
+#define ROT_ODE_MIN_SIZE 1e-290
 
 /* How many measures steer the step. */
 static inline size_t rot_ode_steering(const rot_ode_params *p) {
@@ -22,12 +22,12 @@ static inline rot_ode_group rot_ode_group_of(const rot_ode_params *p, size_t mea
 }
 
 static inline double rot_ode_length(const double x[], size_t n) {
-  double most = 0.0, sum = 0.0;
+  double max = 0.0, sum = 0.0;
   if (n == 1) return fabs(x[0]);
-  for (size_t i = 0; i < n; i++) most = fmax(most, fabs(x[i]));
-  if (!(most > 0.0 && isfinite(most))) return most;
-  for (size_t i = 0; i < n; i++) sum += (x[i] / most) * (x[i] / most);
-  return most * sqrt(sum);
+  for (size_t i = 0; i < n; i++) max = fmax(max, fabs(x[i]));
+  if (!(max > 0.0 && isfinite(max))) return max;
+  for (size_t i = 0; i < n; i++) sum += (x[i] / max) * (x[i] / max);
+  return max * sqrt(sum);
 }
 
 /* Of a state. */
@@ -42,7 +42,7 @@ static inline double rot_ode_rate(rot_ode_group g, const double f[]) {
 
 /* Between y and y + change. The vector part of conj(y) (y + change) is that of conj(y) change, so
  * nothing cancels, and the sign of either does not matter. */
-static inline double rot_ode_apart(rot_ode_group g, const double y[], const double change[]) {
+static inline double rot_ode_difference(rot_ode_group g, const double y[], const double change[]) {
   if (g.norm != ROT_ODE_QUATERNION) return rot_ode_length(change + g.first, g.count);
   const double *q = y + g.first, *d = change + g.first;
   const double v[3] = {q[0] * d[1] - q[1] * d[0] - (q[2] * d[3] - q[3] * d[2]),

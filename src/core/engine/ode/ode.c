@@ -6,38 +6,38 @@
 
 #include "engine/ode/collocate.h"
 #include "engine/ode/fixed.h"
-#include "engine/ode/march.h"
+#include "engine/ode/stepping.h"
 #include "engine/ode/norm.h"
 #include "ground/real.h"
 
-#define LEAST_TOLERANCE 1e-13 /* finer steps than half of these: rounding is all one sees */
-#define LEAST_FINE      1e-15 /* of a guided run: below, its error test would reject rounding */
-#define MOST_TOLERANCE  3e-3
+#define MIN_TOLERANCE 1e-13 /* finer steps than half of these: rounding is all one sees */
+#define MIN_FINE      1e-15 /* of a reference run: below, its error test would reject rounding */
+#define MAX_TOLERANCE 3e-3
 
 /* ---- the error estimate ---------------------------------------------------------------------- */
 
-static void note_apart(const rot_ode_params *p, const double a[], const double b[], double change[],
-                       double apart[]) {
+static void note_difference(const rot_ode_params *p, const double a[], const double b[],
+                            double change[], double difference[]) {
   for (size_t i = 0; i < p->dim; i++) change[i] = b[i] - a[i];
   for (size_t m = 0; m < rot_ode_measures(p); m++) {
-    const double now = rot_ode_apart(rot_ode_group_of(p, m), a, change);
-    if (!(now <= apart[m])) apart[m] = now;
+    const double now = rot_ode_difference(rot_ode_group_of(p, m), a, change);
+    if (!(now <= difference[m])) difference[m] = now;
   }
 }
 
 /* Largest difference of each measure between two runs, where both have a step's end, at those on
  * either side of a row. */
 static void differences(const rot_ode_trace *coarse, const rot_ode_trace *fine,
-                        const rot_ode_job *job, int forward, size_t first, size_t rows, double mend,
-                        double change[], double apart[]) {
+                        const rot_ode_job *job, int forward, size_t first, size_t rows,
+                        double correction, double change[], double difference[]) {
   const rot_ode_params *p = job->p;
-  const double way = forward ? 1.0 : -1.0;
+  const double direction = forward ? 1.0 : -1.0;
   size_t f = 0, row = 0;
   const double *last[2] = {NULL, NULL}; /* the pair before */
   double last_s = 0.0;
   for (size_t c = 0; c < coarse->count && row < rows; c++) {
     const double *a = rot_ode_node(coarse, c);
-    while (f < fine->count && way * (rot_ode_node(fine, f)[0] - a[0]) < 0.0) f++;
+    while (f < fine->count && direction * (rot_ode_node(fine, f)[0] - a[0]) < 0.0) f++;
     if (f == fine->count) break;
     const double *b = rot_ode_node(fine, f);
     if (a[0] != b[0]) continue;
@@ -46,19 +46,19 @@ static void differences(const rot_ode_trace *coarse, const rot_ode_trace *fine,
       const size_t at = forward ? first + row : first + rows - 1 - row;
       const double t = job->rows.time_s[at];
       double *y = job->rows.y + at * p->dim;
-      if (way * (t - a[0]) > 0.0) break;
+      if (direction * (t - a[0]) > 0.0) break;
       const double weight = last[0] ? (t - last_s) / (a[0] - last_s) : 1.0;
-      for (size_t i = 0; mend > 0.0 && i < p->dim; i++) {
+      for (size_t i = 0; correction > 0.0 && i < p->dim; i++) {
         const double before = last[0] ? last[1][i] - last[0][i] : 0.0, now = b[2 + i] - a[2 + i];
-        y[i] += mend * (before + weight * (now - before));
+        y[i] += correction * (before + weight * (now - before));
       }
-      if (mend > 0.0 && p->project) p->project(t, y, p->ctx);
+      if (correction > 0.0 && p->project) p->project(t, y, p->ctx);
       seen_here = 1;
       seen_before = seen_before || t != a[0];
       row++;
     }
-    if (seen_here) note_apart(p, a + 2, b + 2, change, apart);
-    if (seen_before && last[0]) note_apart(p, last[0], last[1], change, apart);
+    if (seen_here) note_difference(p, a + 2, b + 2, change, difference);
+    if (seen_before && last[0]) note_difference(p, last[0], last[1], change, difference);
     last_s = a[0];
     last[0] = a + 2;
     last[1] = b + 2;
@@ -68,28 +68,28 @@ static void differences(const rot_ode_trace *coarse, const rot_ode_trace *fine,
 /* Where a step meets a kink of the right-hand side, halving it gains little, and the two runs may
  * even err alike: their distance missed the error by up to 6 in a tenth of 60 motions on torque
  * curves; twice the distance and four times the test's figure missed one of 600, by 1.3. */
-#define KINK_MARGIN 2.0
-/* Steps that end on a wall are no equal parts of each other. */
-#define WALL_MARGIN 10.0
+#define KINK_MARGIN    2.0
+/* Steps that end on a surface are no equal parts of each other. */
+#define SURFACE_MARGIN 10.0
 
 /* Kinks that no break marks. */
 static int has_kinks(const rot_ode_job *j) { return j->p->kinks || j->kinks->missed; }
 
 /* The fine run's error is its distance from the coarse one over gain - 1, or more where its own
- * error tests fell by less than the gain; that part is mended in the rows. Four times it, for steps
- * that are not short; 2.5 times where the gain is 3^8 or more. In the last digits the distance is
- * rounding: no finer run makes it less. */
-static double part_of_distance(const rot_ode_job *fine, double ratio, double rounding_share,
+ * error tests fell by less than the gain; that part is corrected in the rows. Four times it, for
+ * steps that are not short; 2.5 times where the gain is 3^8 or more. In the last digits the
+ * distance is rounding: no finer run makes it less. */
+static double part_of_distance(const rot_ode_job *fine, double ratio, double rounding_fraction,
                                double coarse_found, double fine_found) {
   if (has_kinks(fine)) return KINK_MARGIN;
   const double fell = coarse_found > 0.0 ? fine_found / coarse_found / ratio : 0.0;
   const double part = fmax(1.0 / rot_ode_gain(fine->method, ratio), fell);
   const double margin = ratio < 3.0 || fine->method == ROT_METHOD_RADAU ? 4.0 : 2.5;
-  const double walls = fine->walls->count ? WALL_MARGIN : 1.0;
+  const double surfaces = fine->surfaces->count ? SURFACE_MARGIN : 1.0;
   /* Long implicit steps may pass a weak kink of a called law that their error tests do not show. */
-  const double least = fine->p->expensive && fine->method == ROT_METHOD_RADAU ? 1.0 : 0.0;
+  const double min = fine->p->expensive && fine->method == ROT_METHOD_RADAU ? 1.0 : 0.0;
   if (part >= 0.5) return 1.0;
-  return fmax(least, fmin(1.0, walls * margin * part / (1.0 - part) + rounding_share));
+  return fmax(min, fmin(1.0, surfaces * margin * part / (1.0 - part) + rounding_fraction));
 }
 
 /* No step is shortened for an integral: along 14 and 27 of them, errors of several steps cancelled
@@ -97,22 +97,21 @@ static double part_of_distance(const rot_ode_job *fine, double ratio, double rou
  * distance counts as no less than this part of what the error test found in all steps. */
 #define MISSED_PART (1.0 / 32.0)
 
-/* Two runs so far apart, of their size, have lost each other: their distance tells its own size and
- * no more. */
+/* Beyond this relative difference the two runs are uncorrelated: it bounds itself alone. */
 #define LOST 0.03
 
 /* What rounding makes of a measure. */
 static double roundings_of(const rot_ode_job *j, size_t m, size_t steps, double size) {
   const double each = 4.0 * ROT_EPS * sqrt(1.0 + (double)steps) * size;
-  if (!j->growth || m >= rot_ode_steering(j->p)) return each;
-  const double grown = j->growth->worst[m];
+  if (!j->propagation || m >= rot_ode_steering(j->p)) return each;
+  const double grown = j->propagation->worst[m];
   /* Where it grows by ten decades, the motions of two runs grow differently. */
   return fmax(each, (grown > 1e-6 * size ? 10.0 : 3.0) * grown);
 }
 
 /* Without events that change the law, the rows of a fine run of rk8pd take a part of its distance
  * from the coarse one. */
-static int mends(const rot_ode_job *fine) {
+static int corrections(const rot_ode_job *fine) {
   const rot_ode_params *p = fine->p;
   return fine->method == ROT_METHOD_RK8PD && !p->turn && (p->n_events == 0 || !p->mode);
 }
@@ -120,28 +119,29 @@ static int mends(const rot_ode_job *fine) {
 /* error[], and of the groups the largest error relative to the size; *steps: what of it finer steps
  * would lessen; *lost: see above. */
 static double estimate(const rot_ode_job *coarse, const rot_ode_job *fine, const rot_info *info,
-                       double rounding_share, double change[], double error[], double *steps,
+                       double rounding_fraction, double change[], double error[], double *steps,
                        int *lost) {
   const rot_ode_params *p = fine->p;
   const double ratio = (double)fine->parts / (double)coarse->parts;
   double part =
-      part_of_distance(fine, ratio, rounding_share, coarse->errors.found, fine->errors.found);
-  const double mend = mends(fine) ? 1.0 / (rot_ode_gain(fine->method, ratio) - 1.0) : 0.0;
+      part_of_distance(fine, ratio, rounding_fraction, coarse->errors.found, fine->errors.found);
+  const double correction =
+      corrections(fine) ? 1.0 / (rot_ode_gain(fine->method, ratio) - 1.0) : 0.0;
   /* Most steps whose error does not fall meet a kink that was not found; fewer where one was. */
-  const double resolve = (fine->walls->count ? 1.5 : 3.0) * fine->errors.unresolved;
+  const double resolve = (fine->surfaces->count ? 1.5 : 3.0) * fine->errors.unresolved;
   double worst = *steps = 0.0;
   memset(error, 0, rot_ode_measures(p) * sizeof *error);
   for (int forward = 0; forward < 2; forward++) {
     const size_t first = forward ? fine->rows.before : 0;
     const size_t before = fine->rows.before < info->rows_done ? fine->rows.before : info->rows_done;
     const size_t rows = forward ? info->rows_done - before : before;
-    differences(&coarse->trace[forward], &fine->trace[forward], fine, forward, first, rows, mend,
-                change, error);
+    differences(&coarse->trace[forward], &fine->trace[forward], fine, forward, first, rows,
+                correction, change, error);
   }
   *lost = 0;
   for (size_t m = 0; m < rot_ode_steering(p); m++) {
-    const double apart = error[m] / fine->largest[m];
-    *lost = *lost || (apart > LOST && apart > 300.0 * p->accuracy);
+    const double difference = error[m] / fine->largest[m];
+    *lost = *lost || (difference > LOST && difference > 300.0 * p->accuracy);
   }
   if (*lost) part = 1.0;
   for (size_t m = 0; m < rot_ode_measures(p); m++) {
@@ -149,11 +149,11 @@ static double estimate(const rot_ode_job *coarse, const rot_ode_job *fine, const
     const double roundings = roundings_of(fine, m, info->steps, size);
     if (m >= rot_ode_steering(p) && fine->method == ROT_METHOD_RK8PD && !*lost) {
       error[m] = fmax(error[m], MISSED_PART * coarse->errors.missed[m]);
-      part = part_of_distance(fine, ratio, rounding_share, coarse->errors.missed[m],
+      part = part_of_distance(fine, ratio, rounding_fraction, coarse->errors.missed[m],
                               fine->errors.missed[m]);
     }
-    const double lessened = fmax(0.0, part - rounding_share) * error[m] + resolve * size;
-    error[m] = part * error[m] + fine->errors.share[m] + fine->errors.moved[m] + resolve * size +
+    const double lessened = fmax(0.0, part - rounding_fraction) * error[m] + resolve * size;
+    error[m] = part * error[m] + fine->errors.fraction[m] + fine->errors.moved[m] + resolve * size +
                roundings;
     if (m >= rot_ode_steering(p) || size == 0.0) continue;
     *steps = fmax(*steps, lessened / size);
@@ -218,14 +218,14 @@ static rot_status split_at_kinks(const rot_ode_params *p, rot_ode_kinks *kinks,
   return ROT_OK;
 }
 
-enum { MOST_RUNS = 4 };
+enum { MAX_RUNS = 4 };
 
 /* The tolerance of the run that chooses the steps, and into how many parts the next divides them:
  * three where the error of the first run is then still small against the motion. The factors are
  * what an error test may grow to in most motions, less the margin and the gain of the parts. */
 static size_t first_parts(const rot_ode_params *p, double *tolerance) {
   const int three = p->accuracy <= 3e-7 && !p->kinks && p->method != ROT_METHOD_RADAU;
-  *tolerance = fmin(MOST_TOLERANCE, fmax(LEAST_TOLERANCE, (three ? 256.0 : 10.0) * p->accuracy));
+  *tolerance = fmin(MAX_TOLERANCE, fmax(MIN_TOLERANCE, (three ? 256.0 : 10.0) * p->accuracy));
   return three ? 3 : 2;
 }
 
@@ -234,19 +234,19 @@ static size_t first_parts(const rot_ode_params *p, double *tolerance) {
 #define COLLOCATED_ACCURACY 5e-8
 
 /* Whether the result may come from collocation, instead of a finer run. */
-static int collocates(const rot_ode_params *p, const rot_ode_growth *growth) {
-  return p->expensive && growth && p->accuracy <= COLLOCATED_ACCURACY && !p->kinks &&
-         p->method != ROT_METHOD_RADAU && p->controlled <= ROT_ODE_MOST_COLLOCATED &&
-         p->dim <= ROT_ODE_MOST_COLLOCATED_ALL && p->n_groups == 0 && !p->turn &&
-         p->n_events == 0 && !p->project && !p->at_break;
+static int collocates(const rot_ode_params *p, const rot_ode_propagation *propagation) {
+  return p->expensive && propagation && p->accuracy <= COLLOCATED_ACCURACY && !p->kinks &&
+         p->method != ROT_METHOD_RADAU && p->controlled <= ROT_ODE_MAX_COLLOCATED &&
+         p->dim <= ROT_ODE_MAX_COLLOCATED_ALL && p->n_groups == 0 && !p->turn && p->n_events == 0 &&
+         !p->project && !p->at_break;
 }
 
 /* The result by collocation in the steps of the coarse run; 0: there is none. */
 static int collocate(const rot_ode_job *coarse, const rot_hooks *hooks, rot_info *info) {
   const rot_ode_output *out = &coarse->rows;
   int good;
-  info->status = rot_ode_collocate(coarse->p, coarse->track, coarse->walls, out, coarse->probes,
-                                   hooks, info, &good);
+  info->status = rot_ode_collocate(coarse->p, coarse->trajectory, coarse->surfaces, out,
+                                   coarse->probes, hooks, info, &good);
   if (!good) return 0;
   for (size_t m = 0; m < coarse->p->dim; m++) {
     out->error[m] += roundings_of(coarse, m, info->steps, out->largest[m]);
@@ -263,34 +263,36 @@ static void refine(rot_ode_job coarse, size_t parts, double tolerance, int stepw
                    rot_ode_trace traces[2][2], double *scratch, const rot_hooks *hooks,
                    rot_info *info) {
   const rot_ode_params *p = coarse.p;
-  const rot_ode_trace *guide = coarse.trace;
+  const rot_ode_trace *reference = coarse.trace;
   const rot_ode_output out = coarse.rows;
   const double first = coarse.tolerance;
   double last = INFINITY;
-  for (int k = 0; k < MOST_RUNS; k++) {
+  for (int k = 0; k < MAX_RUNS; k++) {
     rot_ode_job fine = coarse;
-    fine.guide = guide;
+    fine.reference = reference;
     fine.parts = parts;
     fine.trace = traces[k % 2];
     fine.rows.slope =
-        mends(&fine) ? NULL : out.slope; /* slopes are those of the rows as they stay */
+        corrections(&fine) ? NULL : out.slope; /* slopes are those of the rows as they stay */
     for (size_t i = 0; out.slope && i < out.n; i++) out.slope[i] = NAN;
     fine.largest = out.largest;
     fine.errors.missed = scratch + (size_t)(1 + k % 2) * p->dim;
     fine.budget = p->max_steps;
-    fine.tolerance = fmax(LEAST_FINE, 8.0 * first / rot_ode_gain(fine.method, (double)parts));
+    fine.tolerance = fmax(MIN_FINE, 8.0 * first / rot_ode_gain(fine.method, (double)parts));
     rot_ode_run_once(&fine, hooks, info);
     if (is_over(info->status)) return;
     /* A step's rounding beside what its error test allows. */
-    const double share = 4e-15 * rot_ode_gain(ROT_METHOD_RK8PD, (double)coarse.parts) / tolerance;
+    const double fraction =
+        4e-15 * rot_ode_gain(ROT_METHOD_RK8PD, (double)coarse.parts) / tolerance;
     double steps;
     int lost;
-    const double worst = estimate(&coarse, &fine, info, share, scratch, out.error, &steps, &lost);
+    const double worst =
+        estimate(&coarse, &fine, info, fraction, scratch, out.error, &steps, &lost);
     if (coarse.probes) {
       rot_ode_probes_sift(coarse.probes, out.error);
       if (coarse.probes->n_sights) return; /* other steps are needed */
     }
-    if (info->status != ROT_OK || worst <= p->accuracy || share > 0.3 || worst > 0.5 * last ||
+    if (info->status != ROT_OK || worst <= p->accuracy || fraction > 0.3 || worst > 0.5 * last ||
         steps < 0.5 * worst) {
       return;
     }
@@ -305,13 +307,13 @@ static void refine(rot_ode_job coarse, size_t parts, double tolerance, int stepw
   }
 }
 
-/* One choice of steps and what follows from it, with the walls known so far. */
-static rot_status solve(const rot_ode_params *p, rot_ode_walls *walls, rot_ode_probes *probes,
+/* One choice of steps and what follows from it, with the surfaces known so far. */
+static rot_status solve(const rot_ode_params *p, rot_ode_surfaces *surfaces, rot_ode_probes *probes,
                         const rot_ode_output *out, const rot_hooks *hooks, rot_info *info) {
   const size_t dim = p->dim;
   rot_ode_trace traces[3][2] = {
       {{.count = 0}}}; /* of the run that chose the steps, of the last two */
-  rot_ode_track tracks[2] = {{.slid = 0}};
+  rot_ode_trajectory tracks[2] = {{.slid = 0}};
   double *scratch = calloc(7 * dim + 1, sizeof *scratch), tolerance;
   size_t parts = first_parts(p, &tolerance);
   rot_ode_kinks kinks = {0, 0, NULL, 0};
@@ -322,15 +324,15 @@ static rot_status solve(const rot_ode_params *p, rot_ode_walls *walls, rot_ode_p
                         .parts = 1,
                         .trace = traces[0],
                         .kinks = &kinks,
-                        .walls = walls,
-                        .growth = rot_ode_growth_alloc(p),
+                        .surfaces = surfaces,
+                        .propagation = rot_ode_propagation_alloc(p),
                         .probes = probes,
                         .largest = scratch,
                         .first_mode = p->mode ? *p->mode : 0};
   info->status = scratch ? ROT_OK : ROT_ENOMEM;
-  if (collocates(p, coarse.growth)) coarse.track = tracks;
+  if (collocates(p, coarse.propagation)) coarse.trajectory = tracks;
   if (scratch) {
-    coarse.errors.share = scratch + dim;
+    coarse.errors.fraction = scratch + dim;
     coarse.errors.moved = scratch + 2 * dim;
     coarse.errors.missed = scratch + 3 * dim;
     if (out->n) choose_steps(&coarse, tolerance, hooks, info);
@@ -351,16 +353,16 @@ static rot_status solve(const rot_ode_params *p, rot_ode_walls *walls, rot_ode_p
   const int stepwise = !explicit || has_kinks(&coarse);
   if (stepwise) {
     parts = 2;
-  } else if (walls->count) {
-    parts++; /* for WALL_MARGIN */
+  } else if (surfaces->count) {
+    parts++; /* for SURFACE_MARGIN */
   }
   int hopeless = is_over(chosen.status) || (chosen.status != ROT_OK && traces[0][1].count == 0);
   int solved = out->n == 0 || hopeless;
-  if (coarse.track && !solved && chosen.status == ROT_OK && !stepwise && !kinks.count) {
+  if (coarse.trajectory && !solved && chosen.status == ROT_OK && !stepwise && !kinks.count) {
     solved = collocate(&coarse, hooks, info);
     hopeless = !solved && info->status != ROT_OK;
   }
-  coarse.track = NULL;
+  coarse.trajectory = NULL;
   if (!solved && !hopeless) {
     refine(coarse, parts, tolerance, stepwise, traces + 1, scratch + 4 * dim, hooks, info);
   }
@@ -373,8 +375,8 @@ static rot_status solve(const rot_ode_params *p, rot_ode_walls *walls, rot_ode_p
   const rot_status sorted = p->log ? rot_events_sort(p->log) : ROT_OK;
   if (sorted != ROT_OK) info->status = sorted;
   for (int k = 0; k < 6; k++) free(traces[k / 2][k % 2].data);
-  for (int k = 0; k < 2; k++) rot_ode_track_free(&tracks[k]);
-  rot_ode_growth_free(coarse.growth);
+  for (int k = 0; k < 2; k++) rot_ode_trajectory_free(&tracks[k]);
+  rot_ode_propagation_free(coarse.propagation);
   free(kinks.time_s);
   free(scratch);
   return info->status;
@@ -382,8 +384,8 @@ static rot_status solve(const rot_ode_params *p, rot_ode_walls *walls, rot_ode_p
 
 /* ---- what the probes saw --------------------------------------------------------------------- */
 
-/* Choices of steps, each with the walls and breaks that the probes of the one before found. */
-enum { MOST_ROUNDS = 8 };
+/* Choices of steps, each with the surfaces and breaks that the probes of the one before found. */
+enum { MAX_ROUNDS = 8 };
 
 typedef struct stops {
   size_t count;
@@ -403,11 +405,11 @@ static rot_status add_stop(stops *s, double t) {
   return ROT_OK;
 }
 
-/* Walls where the law changes between the places that it was seen at, or a break there. */
+/* surfaces where the law changes between the places that it was seen at, or a break there. */
 static rot_status look_at_sights(const rot_ode_params *p, const rot_ode_probes *probes,
-                                 rot_ode_walls *walls, stops *breaks, rot_info *info) {
-  double break_s[ROT_ODE_MOST_SIGHTS];
-  rot_status status = rot_ode_look_at_sights(p, probes, walls, break_s, info);
+                                 rot_ode_surfaces *surfaces, stops *breaks, rot_info *info) {
+  double break_s[ROT_ODE_MAX_SIGHTS];
+  rot_status status = rot_ode_look_at_sights(p, probes, surfaces, break_s, info);
   for (size_t k = 0; k < probes->n_sights && status == ROT_OK; k++) {
     if (!isnan(break_s[k])) status = add_stop(breaks, break_s[k]);
   }
@@ -423,14 +425,14 @@ static int is_accurate(const rot_ode_params *p, const double error[], const doub
 rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[], double y[],
                        double slope[], double error[], double largest[], const rot_hooks *hooks,
                        rot_info *info) {
-  rot_ode_walls walls;
+  rot_ode_surfaces surfaces;
   rot_ode_params now = *p;
   stops breaks = {0, NULL};
   rot_ode_probes *probes = NULL;
   const int first_mode = p->mode ? *p->mode : 0;
   rot_status status = ROT_OK;
   rot_ode_output out = {n, 0, time_s, y, slope, error, largest};
-  walls.count = 0;
+  surfaces.count = 0;
   while (out.before < n && time_s[out.before] < p->start_s) out.before++;
   rot_ode_clear_report(info);
   info->rhs_calls = 0;
@@ -444,20 +446,20 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
     if (status != ROT_OK) info->status = status;
   }
   for (int round = 0; status == ROT_OK; round++) {
-    const size_t known = walls.count;
+    const size_t known = surfaces.count;
     if (p->mode) *p->mode = first_mode;
     if (probes) rot_ode_probes_clear(probes);
-    status = solve(&now, &walls, probes, &out, hooks, info);
+    status = solve(&now, &surfaces, probes, &out, hooks, info);
     const size_t sights = probes ? probes->n_sights : 0;
-    /* A run that meets a wall unprepared may be far from the next one, which knows it. */
-    const int unprepared = walls.count > known && !is_accurate(p, error, largest);
+    /* A run that meets a surface unprepared may be far from the next one, which knows it. */
+    const int unprepared = surfaces.count > known && !is_accurate(p, error, largest);
     if (status != ROT_OK || (sights == 0 && !unprepared)) break;
-    if (round == MOST_ROUNDS) {
+    if (round == MAX_ROUNDS) {
       for (size_t k = 0; k < sights; k++) error[probes->sight[k].measure] += probes->sight[k].worth;
       break;
     }
     if (sights == 0) continue;
-    status = look_at_sights(&now, probes, &walls, &breaks, info);
+    status = look_at_sights(&now, probes, &surfaces, &breaks, info);
     if (status != ROT_OK) info->status = status;
     now.breaks = breaks.time_s;
     now.n_breaks = breaks.count;

@@ -25,7 +25,7 @@ typedef struct rot_ode_group {
 /* What follows an event. */
 typedef enum rot_ode_then {
   ROT_ODE_GO_ON,       /* the motion is smooth there */
-  ROT_ODE_NEW_STRETCH, /* state, mode or law changed */
+  ROT_ODE_NEW_SEGMENT, /* state, mode or law changed */
   ROT_ODE_END          /* the run ends; later rows are not done */
 } rot_ode_then;
 
@@ -37,14 +37,14 @@ typedef struct rot_ode_event {
   int direction;  /* 1: rising in time; -1: falling; 0: both */
   rot_event name; /* in the log */
   rot_ode_then (*then)(double t, double y[], int *mode, int forward, void *ctx); /* NULL: go on */
-  /* The side of zero to which a stretch forward leaves that begins there in this mode; NULL, or 0:
+  /* The side of zero to which a segment forward leaves that begins there in this mode; NULL, or 0:
    * by the slope. */
   int (*side)(int mode, size_t component, void *ctx);
   int far; /* where g jumps over zero, the event is on the far side */
 } rot_ode_event;
 
 /* A right-hand side with a kink or jump where y[watched] = 0. It is integrated with the sign fixed
- * at *mode = 1 or -1, so that it is smooth, up to the zero itself; there, and wherever a stretch
+ * at *mode = 1 or -1, so that it is smooth, up to the zero itself; there, and wherever a segment
  * begins at zero, dydt[driver] with *mode = 0 decides: up to `holds` in size it is held at rest
  * (*mode = 0: the controlled components stay), else it leaves the way dydt[driver] points. */
 typedef struct rot_ode_switch {
@@ -69,7 +69,7 @@ typedef struct rot_ode_params {
   double accuracy;            /* largest error wanted of each group, relative to its size */
   size_t max_steps;           /* a run, rejected steps included */
   rot_method method;          /* ROT_METHOD_NONE: choose */
-  int *mode;                  /* read by rhs, changed by events; reset where a run sets out */
+  int *mode;                  /* read by rhs, changed by events; reset at the start of a run */
   const rot_ode_switch *turn; /* may be NULL; needs mode */
   size_t n_events;
   const rot_ode_event *events;

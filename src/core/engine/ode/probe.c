@@ -6,7 +6,7 @@
 #include "engine/ode/norm.h"
 
 /* Bins of a gap; gaps of a range at most. */
-enum { FINE = 16, MOST_GAPS = 1000000 };
+enum { FINE = 16, MAX_GAPS = 1000000 };
 /* States of a piece, straight lines between which show the bins that it visits: these miss a step
  * over a third of the range by 1e-4 of it. */
 enum { SAMPLES = 16 };
@@ -34,10 +34,10 @@ rot_ode_probes *rot_ode_probes_new(const rot_ode_params *p) {
   if (!q) return NULL;
   const double gaps = ceil(1.0 / (ROT_ODE_GAP * p->resolution));
   q->p = p;
-  q->bins = FINE * (size_t)fmin(fmax(gaps, 1.0), MOST_GAPS);
+  q->bins = FINE * (size_t)fmin(fmax(gaps, 1.0), MAX_GAPS);
   q->low = malloc(((5 + SAMPLES) * coordinates + 9 * dim) * sizeof *q->low);
   q->seen = malloc(coordinates * q->bins);
-  q->states = malloc(3 * dim * ROT_ODE_MOST_SIGHTS * sizeof *q->states);
+  q->states = malloc(3 * dim * ROT_ODE_MAX_SIGHTS * sizeof *q->states);
   if (!q->low || !q->seen || !q->states) {
     rot_ode_probes_free(q);
     return NULL;
@@ -46,7 +46,7 @@ rot_ode_probes *rot_ode_probes_new(const rot_ode_params *p) {
   q->since = q->width + coordinates;
   q->span = q->since + coordinates;
   q->scratch = q->span + (2 + SAMPLES) * coordinates;
-  for (size_t k = 0; k < ROT_ODE_MOST_SIGHTS; k++) q->sight[k].y = q->states + 3 * dim * k;
+  for (size_t k = 0; k < ROT_ODE_MAX_SIGHTS; k++) q->sight[k].y = q->states + 3 * dim * k;
   rot_ode_probes_clear(q);
   return q;
 }
@@ -132,7 +132,7 @@ void rot_ode_probes_cover(rot_ode_probes *q, double t, const double y[]) {
  * 0: it visits none. */
 static size_t parts_of(rot_ode_probes *q, const rot_ode_piece *piece) {
   const size_t n = q->p->controlled + 1;
-  double most = 0.0;
+  double max = 0.0;
   for (size_t k = 0; k <= SAMPLES; k++) {
     const double t = piece->t + (piece->end - piece->t) * (double)k / SAMPLES;
     piece->state(piece->path, t, q->scratch);
@@ -149,9 +149,9 @@ static size_t parts_of(rot_ode_probes *q, const rot_ode_piece *piece) {
     }
     const size_t first = bin_of(q, i, low - q->width[i]), last = bin_of(q, i, high + q->width[i]);
     if (!memchr(q->seen + i * q->bins + first, 0, last - first + 1)) continue;
-    most = fmax(most, path / q->width[i]);
+    max = fmax(max, path / q->width[i]);
   }
-  return most > 0.0 ? (size_t)ceil(fmin(most, 1e6)) + 1 : 0;
+  return max > 0.0 ? (size_t)ceil(fmin(max, 1e6)) + 1 : 0;
 }
 
 /* A coordinate at a part of the piece. */
@@ -177,12 +177,12 @@ static void calls_beside(const rot_ode_piece *piece, double t, double beside[2])
 
 /* Of too many sights the least is given up. */
 static rot_ode_sight *new_sight(rot_ode_probes *q, double worth) {
-  size_t least = 0;
-  if (q->n_sights < ROT_ODE_MOST_SIGHTS) return &q->sight[q->n_sights++];
+  size_t min = 0;
+  if (q->n_sights < ROT_ODE_MAX_SIGHTS) return &q->sight[q->n_sights++];
   for (size_t k = 1; k < q->n_sights; k++) {
-    if (q->sight[k].worth < q->sight[least].worth) least = k;
+    if (q->sight[k].worth < q->sight[min].worth) min = k;
   }
-  return worth > q->sight[least].worth ? &q->sight[least] : NULL;
+  return worth > q->sight[min].worth ? &q->sight[min] : NULL;
 }
 
 /* The measure that differs most, by how much, and the component that differs most in it. */
@@ -191,10 +191,10 @@ typedef struct difference {
   double worth;
 } difference;
 
-static size_t largest_of(rot_ode_group g, const double apart[]) {
+static size_t largest_of(rot_ode_group g, const double gap[]) {
   size_t largest = g.first;
   for (size_t i = 1; i < g.count; i++) {
-    if (fabs(apart[g.first + i]) > fabs(apart[largest])) largest = g.first + i;
+    if (fabs(gap[g.first + i]) > fabs(gap[largest])) largest = g.first + i;
   }
   return largest;
 }
@@ -228,22 +228,21 @@ static void note_sight(rot_ode_probes *q, const rot_ode_piece *piece, double t, 
 }
 
 /* Whether the law differs from the slope by more than what is unsure, and how. */
-static int differs(const rot_ode_params *p, const double apart[], const double unsure[],
-                   double time, const double largest[], difference *found, int *undecided) {
-  double most = -1.0;
+static int differs(const rot_ode_params *p, const double gap[], const double unsure[], double time,
+                   const double largest[], difference *found, int *undecided) {
+  double max = -1.0;
   for (size_t m = 0; m < rot_ode_measures(p); m++) {
     const rot_ode_group g = rot_ode_group_of(p, m);
-    const double d = rot_ode_rate(g, apart), worth = d * time;
-    const double doubt = UNSURE * rot_ode_rate(g, unsure),
-                 least = IGNORED * p->accuracy * largest[m];
-    if (doubt * time > 1e3 * least && m < rot_ode_steering(p)) *undecided = 1;
-    if (d <= doubt || worth <= least) continue;
+    const double d = rot_ode_rate(g, gap), worth = d * time;
+    const double doubt = UNSURE * rot_ode_rate(g, unsure), min = IGNORED * p->accuracy * largest[m];
+    if (doubt * time > 1e3 * min && m < rot_ode_steering(p)) *undecided = 1;
+    if (d <= doubt || worth <= min) continue;
     const double part = largest[m] > 0.0 ? worth / largest[m] : INFINITY;
-    if (!(part > most)) continue;
-    most = part;
-    *found = (difference){largest_of(g, apart), m, worth};
+    if (!(part > max)) continue;
+    max = part;
+    *found = (difference){largest_of(g, gap), m, worth};
   }
-  return most >= 0.0;
+  return max >= 0.0;
 }
 
 rot_status rot_ode_probe_at(rot_ode_probes *q, const rot_ode_piece *piece, double t, double dydt[],
@@ -251,7 +250,7 @@ rot_status rot_ode_probe_at(rot_ode_probes *q, const rot_ode_piece *piece, doubl
   const rot_ode_params *p = q->p;
   const size_t dim = p->dim;
   double *y = q->scratch + dim, *slope = y + dim, *y_unsure = slope + dim, *unsure = y_unsure + dim,
-         *apart = unsure + dim, *moved = apart + dim;
+         *gap = unsure + dim, *moved = gap + dim;
   difference found;
   *known = piece->believed(piece->path, t, y, slope, y_unsure, unsure);
   if (!*known) return ROT_OK;
@@ -264,7 +263,7 @@ rot_status rot_ode_probe_at(rot_ode_probes *q, const rot_ode_piece *piece, doubl
   if (status != ROT_OK) return status;
   const double whole = fabs(piece->end - piece->t), time = BETWEEN * whole;
   for (size_t i = 0; i < dim; i++) {
-    apart[i] = dydt[i] - slope[i];
+    gap[i] = dydt[i] - slope[i];
     unsure[i] += ROUNDING * (fmax(fabs(dydt[i]), fabs(slope[i])) + fabs(y[i]) / whole);
   }
   if (piece->held && p->turn) { /* what drives it may change as long as it is held */
@@ -273,7 +272,7 @@ rot_status rot_ode_probe_at(rot_ode_probes *q, const rot_ode_piece *piece, doubl
     note_sight(q, piece, t, y, (difference){p->turn->driver, 0, INFINITY});
     return ROT_OK;
   }
-  if (!differs(p, apart, unsure, time, piece->largest, &found, &q->undecided)) return ROT_OK;
+  if (!differs(p, gap, unsure, time, piece->largest, &found, &q->undecided)) return ROT_OK;
   /* A law that is steep in the state differs where the state is unsure. */
   int steep = 0;
   for (size_t i = 0; i < p->controlled; i++) steep |= y_unsure[i] > 0.0;
@@ -284,7 +283,7 @@ rot_status rot_ode_probe_at(rot_ode_probes *q, const rot_ode_piece *piece, doubl
     for (size_t i = 0; i < dim; i++) {
       unsure[i] += STEEP / UNSURE * fabs(moved[i] - dydt[i]);
     }
-    if (!differs(p, apart, unsure, time, piece->largest, &found, &q->undecided)) return ROT_OK;
+    if (!differs(p, gap, unsure, time, piece->largest, &found, &q->undecided)) return ROT_OK;
   }
   note_sight(q, piece, t, y, found);
   return ROT_OK;

@@ -16,7 +16,7 @@
  * lies half way between two probes still shows 0.11 of its height. */
 #define ROT_ODE_GAP 0.78125
 
-enum { ROT_ODE_MOST_SIGHTS = 32 };
+enum { ROT_ODE_MAX_SIGHTS = 32 };
 
 /* A place where the law is not what the steps believed, and the last and the next where it is. */
 typedef struct rot_ode_sight {
@@ -36,7 +36,7 @@ typedef struct rot_ode_probes {
   unsigned char *seen;
   int looked; /* the ranges are known */
   size_t n_sights;
-  rot_ode_sight sight[ROT_ODE_MOST_SIGHTS];
+  rot_ode_sight sight[ROT_ODE_MAX_SIGHTS];
   /* The probes of a piece: t, state and slope each. `undecided`: what its polynomials believe is
    * too unsure for one of them. */
   int undecided;

@@ -13,7 +13,7 @@ typedef struct rot_ode_rest {
 } rot_ode_rest;
 
 /* The slope that drives it from rest at t, and what it is beyond what holds: positive is loose. */
-rot_status rot_ode_held_slope(rot_ode_rest *r, double t, double *drive, double *grip);
+rot_status rot_ode_held_slope(rot_ode_rest *r, double t, double *drive, double *excess);
 
 /* A segment of *h at rest, of `whole` up to `stop`. *end: where it ends, or where it breaks loose;
  * the trial is its state. NaN: the segment was too long, *h is the next one, or loose already. */

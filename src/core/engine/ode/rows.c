@@ -28,7 +28,7 @@ void rot_ode_rows_at_start(rot_ode_rows *r) {
 }
 
 void rot_ode_rows_begin(rot_ode_rows *r) {
-  r->stretch_t = r->clock->t;
+  r->segment_t = r->clock->t;
   r->dense.count = 0;
 }
 
@@ -38,15 +38,15 @@ rot_status rot_ode_rows_node(rot_ode_rows *r) {
                   : ROT_OK;
 }
 
-/* Share of the last node, or of the last mend, that a row may have, of the accuracy; and how often
- * it counts as an error: waves shorter than the steps show little of themselves in it. */
-#define MOST_SHARE  0.003
-#define SHARE_COUNT 7.0
+/* Fraction of the last node, or of the last correction, that a row may have, of the accuracy; and
+ * how often it counts as an error: waves shorter than the steps show little of themselves in it. */
+#define MAX_FRACTION   0.003
+#define FRACTION_COUNT 7.0
 
 /* Radau steps over a transient that dies out within its first step, and the values at the steps'
- * ends do not show it; the slope where the stretch begins does. */
+ * ends do not show it; the slope where the segment begins does. */
 static int in_transient(const rot_ode_rows *r, const double *node, double t) {
-  if (r->step->method != ROT_METHOD_RADAU || node[0] != r->stretch_t) return 0;
+  if (r->step->method != ROT_METHOD_RADAU || node[0] != r->segment_t) return 0;
   for (size_t i = 0; i < r->law->p->controlled; i++) {
     double rise;
     rot_dense_at(&r->form[i], node[0], &rise, NULL, NULL);
@@ -54,7 +54,7 @@ static int in_transient(const rot_ode_rows *r, const double *node, double t) {
   }
   for (size_t m = 0; m < rot_ode_steering(r->law->p); m++) {
     const double missed = rot_ode_rate(rot_ode_group_of(r->law->p, m), r->change);
-    if (!(missed <= SHARE_COUNT * MOST_SHARE * r->law->p->accuracy * r->state->largest[m]))
+    if (!(missed <= FRACTION_COUNT * MAX_FRACTION * r->law->p->accuracy * r->state->largest[m]))
       return 1;
   }
   return 0;
@@ -139,13 +139,13 @@ static rot_ode_piece piece_between(between *w, int held) {
                          .call = call_between};
 }
 
-/* Probes the steps of this stretch up to node `last`. */
+/* Probes the steps of this segment up to node `last`. */
 static rot_status probe_steps(rot_ode_rows *r, size_t last, int held) {
-  const double way = rot_ode_way(r->clock);
+  const double direction = rot_ode_direction(r->clock);
   rot_status status = ROT_OK;
   for (size_t i = 0; r->probes && i < last && status == ROT_OK; i++) {
     const double end = rot_dense_node(&r->dense, i + 1)[0];
-    if (way * (end - r->probed_t) <= 0.0) continue;
+    if (direction * (end - r->probed_t) <= 0.0) continue;
     between w = {r, i};
     const rot_ode_piece piece = piece_between(&w, held);
     status = rot_ode_probe(r->probes, &piece);
@@ -174,33 +174,33 @@ static int row_between(rot_ode_rows *r, size_t i, double t, int held) {
     r->row[k] = rot_dense_at(&r->form[k], t, NULL, &r->change[k], NULL);
   }
   for (size_t m = 0; m < rot_ode_steering(p) && !held; m++) {
-    const double share = rot_ode_rate(rot_ode_group_of(p, m), r->change);
-    if (!(share <= MOST_SHARE * p->accuracy * r->state->largest[m])) return 0;
-    r->share[m] = fmax(r->share[m], SHARE_COUNT * share);
+    const double fraction = rot_ode_rate(rot_ode_group_of(p, m), r->change);
+    if (!(fraction <= MAX_FRACTION * p->accuracy * r->state->largest[m])) return 0;
+    r->fraction[m] = fmax(r->fraction[m], FRACTION_COUNT * fraction);
   }
   /* No step is shortened for integrals; the polynomials' error in theirs was more than all else in
    * a tenth of the hoops and chains, up to 100 times. */
   const size_t all = p->integrals_between && !held ? rot_ode_measures(p) : 0;
   for (size_t m = rot_ode_steering(p); m < all; m++) {
-    const double share = rot_ode_rate(rot_ode_group_of(p, m), r->change);
-    r->share[m] = fmax(r->share[m], SHARE_COUNT * share);
+    const double fraction = rot_ode_rate(rot_ode_group_of(p, m), r->change);
+    r->fraction[m] = fmax(r->fraction[m], FRACTION_COUNT * fraction);
   }
   if (p->project) p->project(t, r->row, p->ctx);
   row_is(r, r->row, slope_of_row(r, i, t, held));
   return 1;
 }
 
-/* A call of rhs within the interval, at the value of the polynomials, mends them: their error e
+/* A call of rhs within the interval, at the value of the polynomials, corrects them: their error e
  * makes one of h e in the slope, where the slope of e itself is 7 e/h. */
-static int mend(rot_ode_rows *r) {
+static int correction(rot_ode_rows *r) {
   rot_dense_form *form = r->form;
-  if (!r->dense.slopes || form[0].mends == ROT_DENSE_MENDS) return 0;
-  const double t = rot_dense_mend_at(&form[0]);
+  if (!r->dense.slopes || form[0].corrections == ROT_DENSE_CORRECTIONS) return 0;
+  const double t = rot_dense_correction_at(&form[0]);
   for (size_t i = 0; i < r->law->p->dim; i++) {
     r->row[i] = rot_dense_at(&form[i], t, NULL, NULL, NULL);
   }
   if (rot_ode_slope_at(r->law, t, r->row, r->change) != ROT_OK) return 0;
-  for (size_t i = 0; i < r->law->p->dim; i++) rot_dense_mend(&form[i], r->change[i]);
+  for (size_t i = 0; i < r->law->p->dim; i++) rot_dense_correct(&form[i], r->change[i]);
   return 1;
 }
 
@@ -220,21 +220,21 @@ static rot_status step_between(rot_ode_rows *r, size_t i, size_t rows) {
   return ROT_OK;
 }
 
-rot_status rot_ode_fill_rows(rot_ode_rows *r, int whole_stretch) {
+rot_status rot_ode_fill_rows(rot_ode_rows *r, int whole_segment) {
   enum { BEYOND = 4, BEHIND = 8 };
   rot_dense *d = &r->dense;
   if (!r->out.y) return ROT_OK;
   const int held = r->state->phase == ROT_ODE_HELD;
-  const double way = rot_ode_way(r->clock);
-  const size_t beyond = whole_stretch ? 0 : BEYOND;
+  const double direction = rot_ode_direction(r->clock);
+  const size_t beyond = whole_segment ? 0 : BEYOND;
   size_t i = 0;
   r->formed = (size_t)-1;
   rot_status status = d->count > beyond ? probe_steps(r, d->count - 1 - beyond, held) : ROT_OK;
   while (status == ROT_OK && r->done < r->total && d->count > beyond) {
     const double t = r->out.time_s[row_now(r)];
     const size_t last = d->count - 1 - beyond;
-    if (way * (t - rot_dense_node(d, last)[0]) > 0.0) break;
-    while (i < last && way * (t - rot_dense_node(d, i + 1)[0]) >= 0.0) i++;
+    if (direction * (t - rot_dense_node(d, last)[0]) > 0.0) break;
+    while (i < last && direction * (t - rot_dense_node(d, i + 1)[0]) >= 0.0) i++;
     const double *node = rot_dense_node(d, i);
     if (t == node[0]) {
       const int inside = i > 0 && i + 1 < d->count;
@@ -245,20 +245,20 @@ rot_status rot_ode_fill_rows(rot_ode_rows *r, int whole_stretch) {
     if (!by_steps) form(r, i);
     const int enough = !by_steps && (held || r->form[0].terms >= 4 * (d->slopes ? 2 : 1));
     int filled = enough && !in_transient(r, node, t) && row_between(r, i, t, held);
-    while (enough && !filled && mend(r)) filled = row_between(r, i, t, held);
+    while (enough && !filled && correction(r)) filled = row_between(r, i, t, held);
     if (r->law->status != ROT_OK && r->law->status != ROT_ERHS) return r->law->status;
     if (filled) continue;
     size_t rows = 1;
     while (!by_steps && r->done + rows < r->total && rows < 3) {
       const double next = r->out.time_s[r->clock->forward ? row_now(r) + rows : row_now(r) - rows];
-      if (way * (next - rot_dense_node(d, i + 1)[0]) >= 0.0) break;
+      if (direction * (next - rot_dense_node(d, i + 1)[0]) >= 0.0) break;
       rows++;
     }
     const size_t count = d->count;
     status = step_between(r, i, rows);
     if (d->count != count) r->formed = (size_t)-1;
   }
-  if (!whole_stretch && d->count > BEYOND + BEHIND + 1) {
+  if (!whole_segment && d->count > BEYOND + BEHIND + 1) {
     rot_dense_drop(d, d->count - (BEYOND + BEHIND + 1));
   }
   return status;

@@ -21,22 +21,22 @@ typedef struct rot_ode_rows {
   rot_ode_stepper *step;  /* steps to rows where polynomials are not good enough */
   rot_ode_probes *probes; /* of the steps that have passed; NULL: none */
   rot_ode_output out;
-  double *share;        /* of each measure: what the polynomials may be off by */
+  double *fraction;     /* of each measure: what the polynomials may be off by */
   size_t total, done;   /* on this side of the start, outward */
-  double stretch_t;     /* where the stretch began */
+  double segment_t;     /* where the segment began */
   double probed_t;      /* up to here */
-  rot_dense dense;      /* nodes of the stretch */
+  rot_dense dense;      /* nodes of the segment */
   rot_dense_form *form; /* polynomials of an interval, */
   size_t formed;        /* from this node */
   double *row, *change; /* dim each */
 } rot_ode_rows;
 
-/* A run sets out: those at the start itself. */
+/* At the start of a run: its own rows. */
 void rot_ode_rows_at_start(rot_ode_rows *r);
-/* A stretch begins; the state is a node. */
+/* A segment begins; the state is a node. */
 void rot_ode_rows_begin(rot_ode_rows *r);
 rot_status rot_ode_rows_node(rot_ode_rows *r);
 /* The rows that the nodes so far allow for: all of them, or those with four nodes beyond. */
-rot_status rot_ode_fill_rows(rot_ode_rows *r, int whole_stretch);
+rot_status rot_ode_fill_rows(rot_ode_rows *r, int whole_segment);
 
 #endif

@@ -12,7 +12,7 @@ typedef struct rot_ode_clock {
   size_t next;          /* breaks[next] is next forward, breaks[next - 1] backward */
 } rot_ode_clock;
 
-static inline double rot_ode_way(const rot_ode_clock *c) { return c->forward ? 1.0 : -1.0; }
+static inline double rot_ode_direction(const rot_ode_clock *c) { return c->forward ? 1.0 : -1.0; }
 
 /* Whether the run comes to a before it comes to b. */
 static inline int rot_ode_is_before(const rot_ode_clock *c, double a, double b) {
@@ -28,7 +28,7 @@ void rot_ode_cross_break(rot_ode_clock *c);
 
 /*   MOVING     -> a step -> MOVING, CUT
  *   CUT        -> the last step was cut where an event seemed near; a step -> MOVING
- *   LEAVING    -> a stretch begins at rest, its direction known; a step -> MOVING; none -> HELD
+ *   LEAVING    -> a segment begins at rest, its direction known; a step -> MOVING; none -> HELD
  *   UNDECIDED  -> the same where nothing drives: the direction is a guess, and may flip -> LEAVING
  *   HELD       -> until it breaks loose -> LEAVING
  *   STIFF      -> ended: not for an explicit method

@@ -45,7 +45,7 @@ static void allow(rot_ode_stepper *s, double h, const double y[], const double s
     if (s->state->largest[m] == 0.0) size = fabs(h) * rot_ode_rate(g, slope);
     if (g.norm == ROT_ODE_QUATERNION) size = 0.5;
     for (size_t i = 0; i < g.count; i++) {
-      s->allowed[g.first + i] = fmax(ROT_ODE_LEAST_SIZE, s->tolerance * size);
+      s->allowed[g.first + i] = fmax(ROT_ODE_MIN_SIZE, s->tolerance * size);
     }
   }
 }
@@ -100,7 +100,7 @@ rot_status rot_ode_attempt(rot_ode_stepper *s, double t, double h, const double 
   law->status = ROT_OK;
   s->calls.count = 0;
   if (s->fixed_s > 0.0) return attempt_fixed(s, t, h, y, slope);
-  if (s->calls.data && s->method == ROT_METHOD_RK8PD && law->slides == NO_WALL) {
+  if (s->calls.data && s->method == ROT_METHOD_RK8PD && law->slides == NO_SURFACE) {
     law->record = &s->calls;
   }
   memcpy(s->trial, y, dim * sizeof *y);
@@ -129,12 +129,12 @@ double rot_ode_trial_ratio(const rot_ode_stepper *s, double h) {
     const rot_ode_group g = rot_ode_group_of(p, m);
     /* Breaking loose, what drives and what resists cancel: their rounding is no error of a step. */
     const double lost = p->turn && g.first == p->turn->watched ? fabs(h) : h * h;
-    const double error =
-        fmax(0.0, rot_ode_apart(g, s->trial, s->trial_error) - 16.0 * ROT_EPS * s->noise * lost);
+    const double error = fmax(0.0, rot_ode_difference(g, s->trial, s->trial_error) -
+                                       16.0 * ROT_EPS * s->noise * lost);
     /* Of its size so far, never of its size later: where errors grow with the motion, what is
      * small against the end is all there is at the start. */
     const double scale =
-        fmax(ROT_ODE_LEAST_SIZE, fmax(s->state->largest[m], rot_ode_size(g, s->trial)));
+        fmax(ROT_ODE_MIN_SIZE, fmax(s->state->largest[m], rot_ode_size(g, s->trial)));
     const double noise = p->noise ? p->noise[m] * fabs(h) : 0.0;
     const double allowed = s->tolerance * scale + noise;
     if (error != 0.0 && !(error / allowed <= ratio)) ratio = error / allowed;

@@ -15,7 +15,7 @@ typedef struct rot_ode_stepper {
   double tolerance;
   double fixed_s; /* > 0: the length of all steps */
   double h;       /* the step that the error test would like next */
-  double noise;   /* of a stretch that began at rest: what cancels in its slope there */
+  double noise;   /* of a segment that began at rest: what cancels in its slope there */
   double *trial, *trial_error, *trial_slope; /* of the last attempt; dim each, as all below */
   double *allowed;                           /* what Newton's iteration may leave */
   rot_ode_calls calls;                       /* of the last attempt */

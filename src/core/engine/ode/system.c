@@ -9,7 +9,7 @@
 
 /* The state: the coordinates less q0 (a small motion about a large angle keeps its digits), their
  * rates; then the flows and, where friction is dry, the drive. */
-enum { MOST_DIM = 2 * ROT_SYSTEM_MOST + ROT_MOST_FLOWS + 1 };
+enum { MAX_DIM = 2 * ROT_SYSTEM_MAX + ROT_MAX_FLOWS + 1 };
 
 /* Two runs solved loosely through a short, fast turn do not differ as their orders say: one of 60
  * chains was off by 22 times its figure at 1.6e-5, one of 300 hoops by 14 times at 1.7e-4. The
@@ -22,11 +22,11 @@ typedef struct motion {
   rot_system_start s;
   size_t dim, flows, drive; /* places in the state */
   int mode;
-  double most[2]; /* |q|, |v| so far */
+  double max[2]; /* |q|, |v| so far */
 } motion;
 
 typedef struct place {
-  double q[ROT_SYSTEM_MOST], q_low[ROT_SYSTEM_MOST];
+  double q[ROT_SYSTEM_MAX], q_low[ROT_SYSTEM_MAX];
 } place;
 
 static rot_system_state state_of(const motion *m, const double y[], int sign, place *at) {
@@ -53,8 +53,8 @@ static void note_state(double t, double y[], void *ctx) {
   motion *m = ctx;
   (void)t;
   for (size_t i = 0; i < m->s.n; i++) {
-    m->most[0] = fmax(m->most[0], fabs(m->s.q[i] + y[i]));
-    m->most[1] = fmax(m->most[1], fabs(y[m->s.n + i]));
+    m->max[0] = fmax(m->max[0], fabs(m->s.q[i] + y[i]));
+    m->max[1] = fmax(m->max[1], fabs(y[m->s.n + i]));
   }
 }
 
@@ -65,7 +65,7 @@ static rot_status fill_rows(const motion *m, size_t n, const double y[], const r
     const double *row = y + i * m->dim;
     place at;
     const rot_system_state state = state_of(m, row, (row[m->s.n] > 0.0) - (row[m->s.n] < 0.0), &at);
-    m->system->row(m->scene, &state, i * m->s.copies, rows->column);
+    m->system->row(m->scene, &state, i * m->s.rows_per_time, rows->column);
     for (size_t k = 0; rows->flow && k < m->system->n_flows; k++)
       rows->flow[k][i] = row[m->flows + k];
     for (size_t k = 0; k < 2 * m->s.n; k++) {
@@ -83,16 +83,16 @@ static void new_positions(double t, double h, const double before[], double y[],
   for (size_t i = 0; i < n; i++) y[i] = before[i] + h * y[n + i];
 }
 
-static rot_pace pace_of_start(const rot_system *system, const void *scene,
-                              const rot_system_start *s) {
+static rot_time_scales time_scales_of_start(const rot_system *system, const void *scene,
+                                            const rot_system_start *s) {
   double sizes[2] = {0.0, 0.0};
-  rot_pace pace;
+  rot_time_scales time_scales;
   for (size_t i = 0; i < s->n; i++) {
     sizes[0] = fmax(sizes[0], fabs(s->q[i]));
     sizes[1] = fmax(sizes[1], fabs(s->v[i]));
   }
-  system->pace(scene, sizes, &pace);
-  return pace;
+  system->time_scales(scene, sizes, &time_scales);
+  return time_scales;
 }
 
 rot_status rot_system_run(const rot_system *system, const void *scene, const rot_task *task,
@@ -104,7 +104,7 @@ rot_status rot_system_run(const rot_system *system, const void *scene, const rot
   const double span = rows_n ? fmax(fabs(t[0] - s.start_s), fabs(t[rows_n - 1] - s.start_s)) : 0.0;
   const double rounding = 4.0 * ROT_EPS * s.rounding;
   motion m = {.system = system, .scene = scene, .s = s, .flows = 2 * n, .mode = 1};
-  double start[MOST_DIM] = {0.0}, error[MOST_DIM] = {0.0}, largest[MOST_DIM] = {0.0};
+  double start[MAX_DIM] = {0.0}, error[MAX_DIM] = {0.0}, largest[MAX_DIM] = {0.0};
   int offset = 0;
   m.drive = 2 * n + system->n_flows;
   m.dim = m.drive + (s.dry ? 1 : 0);
@@ -120,36 +120,37 @@ rot_status rot_system_run(const rot_system *system, const void *scene, const rot
   const rot_ode_group groups[] = {{0, n, ROT_ODE_VECTOR}, {n, n, ROT_ODE_VECTOR}};
   const rot_ode_switch turn = {n, m.drive, s.holds};
   const double noise[] = {rounding * span, rounding};
-  const rot_pace pace = pace_of_start(system, scene, &s);
-  const rot_ode_params ode = {
-      .dim = m.dim,
-      .controlled = 2 * n,
-      .n_groups = 2,
-      .groups = groups,
-      .rhs = slopes,
-      .ctx = &m,
-      .start_s = s.start_s,
-      .start = start,
-      .accuracy = s.dry ? accuracy : fmin(accuracy, LOOSEST),
-      .max_steps = task->max_steps,
-      .method = rot_task_method(task, method),
-      .mode = &m.mode,
-      .turn = s.dry ? &turn : NULL,
-      .log = rows->events,
-      .project = note_state,
-      .noise = noise,
-      .integrals_between = 1,
-      .kinks = s.dry,
-      .step_s = rot_ode_is_fixed(method) ? rot_fixed_task_step_s(task, s.start_s, &pace) : 0.0,
-      .positions = new_positions};
+  const rot_time_scales time_scales = time_scales_of_start(system, scene, &s);
+  const rot_ode_params ode = {.dim = m.dim,
+                              .controlled = 2 * n,
+                              .n_groups = 2,
+                              .groups = groups,
+                              .rhs = slopes,
+                              .ctx = &m,
+                              .start_s = s.start_s,
+                              .start = start,
+                              .accuracy = s.dry ? accuracy : fmin(accuracy, LOOSEST),
+                              .max_steps = task->max_steps,
+                              .method = rot_task_method(task, method),
+                              .mode = &m.mode,
+                              .turn = s.dry ? &turn : NULL,
+                              .log = rows->events,
+                              .project = note_state,
+                              .noise = noise,
+                              .integrals_between = 1,
+                              .kinks = s.dry,
+                              .step_s = rot_ode_is_fixed(method)
+                                            ? rot_fixed_task_step_s(task, s.start_s, &time_scales)
+                                            : 0.0,
+                              .positions = new_positions};
   rot_status status = rot_ode_run(&ode, rows_n, t, y, NULL, error, largest, hooks, info);
   if (status != ROT_EUNWIND && status != ROT_ENOMEM) {
     const rot_status filled = fill_rows(&m, rows_n, y, rows, info);
     if (filled != ROT_OK) status = filled;
   }
   for (size_t k = 0; k < 2; k++) {
-    info->measure[k].largest = m.most[k];
-    info->measure[k].error = error[k] + (k ? 0.0 : 4.0 * ROT_EPS * m.most[0]);
+    info->measure[k].largest = m.max[k];
+    info->measure[k].error = error[k] + (k ? 0.0 : 4.0 * ROT_EPS * m.max[0]);
   }
   for (size_t k = 0; rows->flow_error && k < system->n_flows; k++) {
     rows->flow_error[k] = 2.0 * error[2 + k];
@@ -162,9 +163,9 @@ double rot_system_cost_s(const rot_system *system, const rot_model *model, const
                          const rot_query *query, int implicit) {
   const rot_system_start s = system->start(scene);
   const double span = query->n ? fabs(query->time_s[query->n - 1] - s.start_s) : 0.0;
-  const rot_pace pace = pace_of_start(system, scene, &s);
-  const double swings = fmin(0.1 * pace.swing_rad_per_s * span, 1e300);
-  const double fades = fmin(span / pace.fades_s, 1e300);
+  const rot_time_scales time_scales = time_scales_of_start(system, scene, &s);
+  const double swings = fmin(0.1 * time_scales.swing_rad_per_s * span, 1e300);
+  const double fades = fmin(span / time_scales.fades_s, 1e300);
   const double steps = 30.0 + (implicit ? log1p(fades) : fades) +
                        pow(fmax(query->accuracy, model->promise), -1.0 / 8.5) * swings;
   /* Matrices of the growth of errors and of implicit steps: 16 links take 3 and 25 times as long
@@ -176,6 +177,6 @@ double rot_system_cost_s(const rot_system *system, const rot_model *model, const
 double rot_system_fixed_s(const rot_system *system, const rot_model *model, const void *scene,
                           const rot_query *query) {
   const rot_system_start s = system->start(scene);
-  const rot_pace pace = pace_of_start(system, scene, &s);
-  return rot_fixed_cost_s(model, query, s.start_s, &pace);
+  const rot_time_scales time_scales = time_scales_of_start(system, scene, &s);
+  return rot_fixed_cost_s(model, query, s.start_s, &time_scales);
 }

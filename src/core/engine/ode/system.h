@@ -5,7 +5,7 @@
 
 #include "engine/ode/fixed.h"
 
-enum { ROT_SYSTEM_MOST = 16 }; /* coordinates */
+enum { ROT_SYSTEM_MAX = 16 }; /* coordinates */
 
 typedef struct rot_system_state {
   const double *q, *q_low; /* coordinates, and what these doubles lack of the exact sum */
@@ -15,8 +15,8 @@ typedef struct rot_system_state {
 
 /* What a run begins with. */
 typedef struct rot_system_start {
-  size_t n, copies;    /* coordinates; rows at one time */
-  const double *q, *v; /* at start_s */
+  size_t n, rows_per_time; /* coordinates; rows at one time */
+  const double *q, *v;     /* at start_s */
   double start_s;
   double rounding; /* of an acceleration: the sum of what acts */
   int dry;         /* one coordinate, held at rest up to |drive| = holds */
@@ -31,7 +31,7 @@ typedef struct rot_system {
   void (*slopes)(const void *scene, const rot_system_state *state, double acceleration[],
                  double flow[], double *drive);
   void (*row)(const void *scene, const rot_system_state *state, size_t at, void *const column[]);
-  void (*pace)(const void *scene, const double sizes[], rot_pace *pace);
+  void (*time_scales)(const void *scene, const double sizes[], rot_time_scales *time_scales);
 } rot_system;
 
 /* Measures: the largest |q|, the largest |v| of all coordinates, as rot_turning. */
@@ -39,7 +39,7 @@ rot_status rot_system_run(const rot_system *system, const void *scene, const rot
                           rot_method method, const rot_rows *rows, const rot_hooks *hooks,
                           rot_info *info);
 
-/* Predicted time of a run, with the pace of its start; seconds of the model: of a step, of a
+/* Predicted time of a run, with the time scales of its start; seconds of the model: of a step, of a
  * row, of each coordinate.
  * Implicit steps do not count what fades. */
 double rot_system_cost_s(const rot_system *system, const rot_model *model, const void *scene,

@@ -32,11 +32,12 @@ rot_status rot_ode_trace_add(rot_ode_trace *m, double t, double error, const dou
 #define SLIVER      1e-3
 #define SLIVER_PART 0.02
 
-/* Nearer than a third of a part it goes for the one after, so that after an event, which no two
- * runs meet at the same time, it falls in with the guide again. */
-double rot_ode_guided_aim(rot_ode_guide *g, double stop) {
+/* (reference, stop) => end of the next step. If the next node of the reference is closer than a
+ * third of a substep, the one after it: events shift the two runs against each other. */
+double rot_ode_reference_aim(rot_ode_reference *g, double stop) {
   const rot_ode_trace *m = g->trace;
-  const double t = g->clock->t, way = rot_ode_way(g->clock), start = g->clock->p->start_s;
+  const double t = g->clock->t, direction = rot_ode_direction(g->clock),
+               start = g->clock->p->start_s;
   if (!m || m->count == 0 || !(fabs(rot_ode_node(m, m->count - 1)[0] - start) > fabs(t - start))) {
     return NAN;
   }
@@ -48,49 +49,50 @@ double rot_ode_guided_aim(rot_ode_guide *g, double stop) {
     const int whole = k > 0 && fabs(b - a) < SLIVER * fabs(a - rot_ode_node(m, k - 1)[0]) &&
                       rot_ode_node(m, k + 1)[1] <= SLIVER_PART * g->clock->p->accuracy;
     const double parts = whole ? 1.0 : (double)g->parts;
-    const double part = (b - a) / parts, least = 0.3 * fabs(part);
+    const double part = (b - a) / parts, min = 0.3 * fabs(part);
     const double done = floor((t - a) / part + 0.3) + 1.0;
     const double aim = done < parts ? a + fmax(1.0, done) * part : b;
-    if (way * (aim - t) <= 0.0) continue;
-    if (way * (stop - aim) <= 0.0) return stop;
-    if (way * (aim - t) > least) return aim;
+    if (direction * (aim - t) <= 0.0) continue;
+    if (direction * (stop - aim) <= 0.0) return stop;
+    if (direction * (aim - t) > min) return aim;
   }
   return stop;
 }
 
-int rot_ode_is_unresolved(const rot_ode_guide *g, double error) {
+int rot_ode_is_unresolved(const rot_ode_reference *g, double error) {
   const rot_ode_trace *m = g->trace;
   if (!m || g->at + 1 >= m->count) return 0;
   double before = rot_ode_node(m, g->at + 1)[1];
-  if (g->at + 2 < m->count) { /* after a zero the guide is some way off */
+  if (g->at + 2 < m->count) { /* after a zero the reference is some way off */
     before = fmax(before, rot_ode_node(m, g->at + 2)[1]);
   }
   const double want = before / g->gain;
   return error > 4.0 * want && error > 64.0 * ROT_EPS;
 }
 
-void rot_ode_track_free(rot_ode_track *track) {
-  rot_dense_free(&track->nodes);
-  free(track->derivative);
-  track->derivative = NULL;
-  track->room = 0;
+void rot_ode_trajectory_free(rot_ode_trajectory *trajectory) {
+  rot_dense_free(&trajectory->nodes);
+  free(trajectory->derivative);
+  trajectory->derivative = NULL;
+  trajectory->room = 0;
 }
 
-rot_status rot_ode_track_node(rot_ode_track *track, const rot_ode_params *p, double t,
-                              const double y[], const double slope[]) {
+rot_status rot_ode_trajectory_node(rot_ode_trajectory *trajectory, const rot_ode_params *p,
+                                   double t, const double y[], const double slope[]) {
   const size_t each = p->dim * p->controlled;
-  track->controlled = p->controlled;
-  track->nodes.dim = p->dim;
-  track->nodes.slopes = 1;
-  if (rot_dense_insert(&track->nodes, track->nodes.count, t, y, slope) != ROT_OK) {
+  trajectory->controlled = p->controlled;
+  trajectory->nodes.dim = p->dim;
+  trajectory->nodes.slopes = 1;
+  if (rot_dense_insert(&trajectory->nodes, trajectory->nodes.count, t, y, slope) != ROT_OK) {
     return ROT_ENOMEM;
   }
-  if (track->room != track->nodes.room) {
-    double *more = realloc(track->derivative, track->nodes.room * each * sizeof *more);
+  if (trajectory->room != trajectory->nodes.room) {
+    double *more = realloc(trajectory->derivative, trajectory->nodes.room * each * sizeof *more);
     if (!more) return ROT_ENOMEM;
-    track->derivative = more;
-    track->room = track->nodes.room;
+    trajectory->derivative = more;
+    trajectory->room = trajectory->nodes.room;
   }
-  for (size_t i = 0; i < each; i++) track->derivative[(track->nodes.count - 1) * each + i] = NAN;
+  for (size_t i = 0; i < each; i++)
+    trajectory->derivative[(trajectory->nodes.count - 1) * each + i] = NAN;
   return ROT_OK;
 }

@@ -23,33 +23,33 @@ static inline const double *rot_ode_node(const rot_ode_trace *m, size_t i) {
 
 rot_status rot_ode_trace_add(rot_ode_trace *m, double t, double error, const double y[]);
 
-typedef struct rot_ode_guide {
+typedef struct rot_ode_reference {
   const rot_ode_clock *clock;
   const rot_ode_trace *trace; /* its steps are divided into `parts`; NULL: the error test rules */
   size_t parts;
   double gain; /* by what that lessens the error of a step */
   size_t at;   /* the time lies from this node of it to the next */
-} rot_ode_guide;
+} rot_ode_reference;
 
-/* The end of the next step before `stop`: equal parts of the steps of the guide. NaN: there are no
+/* The end of the next step before `stop`: equal parts of those of the reference. NaN: there are no
  * more; it may have ended early, at an event. */
-double rot_ode_guided_aim(rot_ode_guide *g, double stop);
+double rot_ode_reference_aim(rot_ode_reference *g, double stop);
 /* A part of a step should have the error of the whole over the gain. Where it does not, the motion
  * is too quick for these steps, or has a kink, and the error that the test found counts in full. */
-int rot_ode_is_unresolved(const rot_ode_guide *g, double error);
+int rot_ode_is_unresolved(const rot_ode_reference *g, double error);
 
-/* All nodes, twins where a stretch begins, and the derivatives of dydt by the controlled components
- * there, dim x controlled each; NaN where a stretch begins. */
-typedef struct rot_ode_track {
+/* All nodes, twins where a segment begins, and the derivatives of dydt by the controlled components
+ * there, dim x controlled each; NaN where a segment begins. */
+typedef struct rot_ode_trajectory {
   rot_dense nodes;
   size_t controlled, room;
-  int slid; /* along a wall, somewhere */
+  int slid; /* along a surface, somewhere */
   double *derivative;
-} rot_ode_track;
+} rot_ode_trajectory;
 
-void rot_ode_track_free(rot_ode_track *track);
-/* A step's end, or the start of a stretch. */
-rot_status rot_ode_track_node(rot_ode_track *track, const rot_ode_params *p, double t,
-                              const double y[], const double slope[]);
+void rot_ode_trajectory_free(rot_ode_trajectory *trajectory);
+/* A step's end, or the start of a segment. */
+rot_status rot_ode_trajectory_node(rot_ode_trajectory *trajectory, const rot_ode_params *p,
+                                   double t, const double y[], const double slope[]);
 
 #endif

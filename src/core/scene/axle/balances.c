@@ -223,7 +223,7 @@ void rot_axle_explain(const void *built, const rot_span *span, const double term
 /* Springs and gravity keep the energy, kinetic and potential, unless they act for a time only. Of
  * gears, a curve and dry friction stand for their loss; on a pulley gravity stores what the weights
  * do. */
-size_t rot_axle_keeps(const void *built, size_t balance, const char *why[]) {
+size_t rot_axle_conserved(const void *built, size_t balance, const char *why[]) {
   const rot_axle_built *axle = built;
   const rot_axle_scene *scene = &axle->scene;
   const int rope = hangs(axle);

@@ -14,6 +14,6 @@ void rot_axle_audit(const void *built, const rot_span *span, double term[]);
 void rot_axle_explain(const void *built, const rot_span *span, const double term[],
                       double explained[]);
 const char *rot_axle_term_words(const void *built, size_t term);
-size_t rot_axle_keeps(const void *built, size_t balance, const char *why[]);
+size_t rot_axle_conserved(const void *built, size_t balance, const char *why[]);
 
 #endif

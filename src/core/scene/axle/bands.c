@@ -6,18 +6,19 @@
 #include "scene/axle/effects.h"
 #include "scene/axle/motor.h"
 #include "scene/axle/rest.h"
-#include "engine/march.h"
+#include "engine/stepping.h"
 #include "ground/real.h"
 #include "ground/search.h"
 
-/* The motion is a chain of legs. In a leg the body is held, or it moves within one band of speed
- * and one piece of the knots' torque, where the law is linear:
+/* The motion is a chain of segments. In a segment the body is held, or it moves within one band of
+ * speed and one piece of the knots' torque, where the law is linear:
  *
  *   I v' = a + (b - a) s/span - c v,   v = omega - ref,
  *
- * with c the viscous coefficient less the slope of the curve. The leg ends where v reaches an edge
- * of the band, where the piece ends, or where a torque breaks the body loose. Each leg starts from
- * the last one's end, and enter_leg() decides from the torque there which leg it is. */
+ * with c the viscous coefficient less the slope of the curve. The segment ends where v reaches an
+ * edge of the band, where the piece ends, or where a torque breaks the body loose. Each segment
+ * starts from the last one's end, and enter_segment() decides from the torque there which segment
+ * it is. */
 
 /* ---- bands ---------------------------------------------------------------------------------- */
 
@@ -76,8 +77,8 @@ static int on_edge(const rot_axle_scene *scene, double omega) {
 
 /* ---- a motion in one band and one piece ------------------------------------------------------ */
 
-typedef struct leg {
-  const rot_axle_rest *rest; /* its base is where the leg starts */
+typedef struct segment {
+  const rot_axle_rest *rest; /* its base is where the segment starts */
   band band;
   rot_axle_params law; /* of v = omega - ref: I, and c less the slope */
   rot_axle_state from;
@@ -87,7 +88,7 @@ typedef struct leg {
   int to_end;       /* the span reaches the end of the piece, or of the rows */
   double low, high; /* edges of v */
   double farthest;  /* the larger of |v| at the base and at its extremum */
-} leg;
+} segment;
 
 static double push_of(const rot_axle_scene *scene, double omega, double curve, int sign,
                       double *lo) {
@@ -105,7 +106,7 @@ static double add_push(double x, double push, double push_lo) {
   return sum + (lo + push_lo);
 }
 
-static double in_band(const leg *l, double x) { return add_push(x, l->push, l->push_lo); }
+static double in_band(const segment *l, double x) { return add_push(x, l->push, l->push_lo); }
 
 /* How much the knots' torque rises in a time, to a few roundings. */
 static double rise_in(const rot_torque_piece *piece, double time_s) {
@@ -129,12 +130,12 @@ static int heading_at(const rot_axle_rest *rest, double omega) {
 }
 
 /* Steps are so short that exp(c s/|I|) stays in range where c < 0. */
-enum { MOST_GROWTH = 200 };
+enum { MAX_PROPAGATION = 200 };
 
-static leg leg_from(const rot_axle_rest *rest, int heading) {
+static segment segment_from(const rot_axle_rest *rest, int heading) {
   const rot_axle_base *base = &rest->base;
   const rot_torque_piece *piece = &rest->piece;
-  leg l = {.rest = rest};
+  segment l = {.rest = rest};
   const double end_s = fmin(piece->end_s, rest->last_s);
   double lo;
   l.band = band_of(rest->scene, base->omega, heading);
@@ -155,8 +156,8 @@ static leg leg_from(const rot_axle_rest *rest, int heading) {
   l.high = l.band.upper - l.band.ref;
   const double I = l.law.inertia_kg_m2, c = l.law.viscous_n_m_s;
   const int moves = l.from.omega_rad_per_s != 0.0 || l.a != 0.0 || l.b != 0.0;
-  if (c < 0.0 && moves && rot_muldiv(-c, l.span_s, I, NULL) > MOST_GROWTH) {
-    const double shorter = rot_muldiv(MOST_GROWTH, I, -c, NULL);
+  if (c < 0.0 && moves && rot_muldiv(-c, l.span_s, I, NULL) > MAX_PROPAGATION) {
+    const double shorter = rot_muldiv(MAX_PROPAGATION, I, -c, NULL);
     l.b = l.a + (l.b - l.a) * (shorter / l.span_s);
     l.span_s = shorter;
     l.to_end = 0;
@@ -165,24 +166,24 @@ static leg leg_from(const rot_axle_rest *rest, int heading) {
 }
 
 /* v after s, the torque there being b. Absolute times where they are exact: one residual less. */
-static rot_axle_state leg_state(const leg *l, double from_s, double to_s, double b) {
+static rot_axle_state segment_state(const segment *l, double from_s, double to_s, double b) {
   const rot_torque_piece piece = {from_s, to_s, l->a, b};
   rot_axle_state from = l->from;
   from.time_s = from_s;
   return rot_axle_step(&l->law, &from, &piece, to_s);
 }
 
-static double torque_after(const leg *l, double s) {
+static double torque_after(const segment *l, double s) {
   if (s >= l->span_s) return l->b;
   return l->a + (l->b - l->a) * (s / l->span_s);
 }
 
-static rot_axle_state leg_after(const leg *l, double s) {
-  return leg_state(l, 0.0, s, torque_after(l, s));
+static rot_axle_state segment_after(const segment *l, double s) {
+  return segment_state(l, 0.0, s, torque_after(l, s));
 }
 
 /* Error of omega after s for an error x of the torque: x (s/I) phi1. */
-static double response(const leg *l, double x, double s) {
+static double response(const segment *l, double x, double s) {
   const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s;
   if (!(x > 0.0 && s > 0.0)) return x * s; /* 0, or NaN */
   const double z = rot_muldiv(c, s, I, NULL);
@@ -192,8 +193,8 @@ static double response(const leg *l, double x, double s) {
 
 /* Adds what rot_axle_step() does not count: the roundings of its coefficients and, with
  * `inexact_s`, of s. v keeps its sign in a band, so |theta of v| is the integral of |v|. */
-static rot_axle_change leg_change(const leg *l, const rot_axle_state *v, double s, double b,
-                                  int inexact_s) {
+static rot_axle_change segment_change(const segment *l, const rot_axle_state *v, double s, double b,
+                                      int inexact_s) {
   const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s;
   rot_axle_change out;
   double off = l->band.torque_off;
@@ -222,19 +223,20 @@ static rot_axle_change leg_change(const leg *l, const rot_axle_state *v, double 
   return out;
 }
 
-/* ---- where a leg ends ----------------------------------------------------------------------- */
+/* ---- where a segment ends -----------------------------------------------------------------------
+ * */
 
 /* Where v leaves the band: AGAINST its heading, by the edge that it starts from. */
 typedef enum exit_side { NOWHERE, BELOW, ABOVE, AGAINST } exit_side;
 
 typedef struct exit_point {
-  double s; /* when; the leg's span where it does not */
+  double s; /* when; the segment's span where it does not */
   exit_side side;
   double peak; /* an extremum of v on the way, or v at the start */
 } exit_point;
 
 /* x log1p(y)/y with y = x c/I: the time in which a linear law does what a constant one does in x */
-static double linear_time(const leg *l, double x, double sign) {
+static double linear_time(const segment *l, double x, double sign) {
   const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s;
   double y = sign * rot_muldiv(x, c, I, NULL);
   if (!(y > -1.0)) return INFINITY;
@@ -244,7 +246,7 @@ static double linear_time(const leg *l, double x, double sign) {
 }
 
 /* When omega' passes through 0; it does so at most once. */
-static double extremum(const leg *l) {
+static double extremum(const segment *l) {
   const double c = l->law.viscous_n_m_s, v0 = l->from.omega_rad_per_s;
   const double net = l->a - c * v0, rise = l->b - l->a;
   if (!((net > 0.0 && rise < 0.0) || (net < 0.0 && rise > 0.0))) return INFINITY;
@@ -253,7 +255,7 @@ static double extremum(const leg *l) {
 
 /* The net torque, I v', after s: without the difference between b and c v, which is rounding
  * alone once v has settled. */
-static double net_after(const leg *l, double s) {
+static double net_after(const segment *l, double s) {
   const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s;
   const double z = rot_muldiv(c, s, I, NULL), rise = torque_after(l, s) - l->a;
   const double spread = z != 0.0 ? -expm1(-z) / z : 1.0;
@@ -261,7 +263,7 @@ static double net_after(const leg *l, double s) {
 }
 
 /* When v would be at the level if the torque stayed as it is: exact where it does. */
-static double first_guess(const leg *l, double level) {
+static double first_guess(const segment *l, double level) {
   const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s, v0 = l->from.omega_rad_per_s;
   const double now = l->a - c * v0, then = l->a - c * level;
   /* Near -1 the argument of log1p() loses its digits: plus 1 it is then/now. */
@@ -273,13 +275,13 @@ static double first_guess(const leg *l, double level) {
 
 /* v(s) = level, s between two times where v - level has both signs: Newton's steps inside the
  * bracket, else its middle, or a fraction of it where it begins at 0. */
-static double when_at(const leg *l, double level, double s_lo, double s_hi, int rising) {
-  leg alone = *l;
+static double when_at(const segment *l, double level, double s_lo, double s_hi, int rising) {
+  segment alone = *l;
   double s = first_guess(l, level);
   alone.from.omega_error = 0.0; /* so that omega_error is what this step rounds */
   if (!(s > s_lo && s < s_hi)) s = 0.5 * (s_lo + s_hi);
   for (int i = 0; i < 300; i++) {
-    const rot_axle_state at = leg_after(&alone, s);
+    const rot_axle_state at = segment_after(&alone, s);
     const double f = (at.omega_rad_per_s - level) + at.omega_lo;
     /* In the end f is rounding alone. */
     if (f == 0.0 || (i > 8 && fabs(f) <= at.omega_error)) return s;
@@ -301,9 +303,9 @@ static double when_at(const leg *l, double level, double s_lo, double s_hi, int 
   return s;
 }
 
-/* v is monotonic between s0 and s1: does it leave, and when? An edge that it starts from is left at
- * once only by more than the error of the step. */
-static int leaves(const leg *l, double s0, double v0, double s1, const rot_axle_state *to,
+/* v is monotonic on [s0, s1] => whether and when it crosses an edge. A start on an edge counts as a
+ * crossing only beyond the error of the step. */
+static int leaves(const segment *l, double s0, double v0, double s1, const rot_axle_state *to,
                   int touching, exit_point *out) {
   const double v1 = to->omega_rad_per_s;
   const int up = v1 > v0;
@@ -324,10 +326,10 @@ static int leaves(const leg *l, double s0, double v0, double s1, const rot_axle_
 
 /* On a line so steep that v settles within its error of an edge, the torque on the edge, which the
  * curve gives exactly, decides whether it gets there. */
-static void look_past_edge(const leg *l, double s0, double v, const rot_axle_state *end,
+static void look_past_edge(const segment *l, double s0, double v, const rot_axle_state *end,
                            exit_point *out) {
   if (l->band.slope == 0.0) return;
-  const double near = 2.0 * leg_change(l, end, l->span_s, l->b, 0).omega_error;
+  const double near = 2.0 * segment_change(l, end, l->span_s, l->b, 0).omega_error;
   const int up = fabs(end->omega_rad_per_s - l->high) < fabs(end->omega_rad_per_s - l->low);
   const double edge = up ? l->high : l->low;
   const double omega = up ? l->band.upper : l->band.lower;
@@ -342,43 +344,44 @@ static void look_past_edge(const leg *l, double s0, double v, const rot_axle_sta
   }
 }
 
-static exit_point exit_of(const leg *l) {
+static exit_point exit_of(const segment *l) {
   const double v0 = l->from.omega_rad_per_s, turn = extremum(l);
   exit_point out = {l->span_s, NOWHERE, v0};
   double s0 = 0.0, v = v0;
   if (turn > 0.0 && turn < l->span_s) {
-    const rot_axle_state at = leg_after(l, turn);
+    const rot_axle_state at = segment_after(l, turn);
     if (leaves(l, s0, v, turn, &at, 1, &out)) return out;
     s0 = turn;
     v = out.peak = at.omega_rad_per_s;
   }
-  const rot_axle_state end = leg_after(l, l->span_s);
+  const rot_axle_state end = segment_after(l, l->span_s);
   if (!leaves(l, s0, v, l->span_s, &end, 0, &out)) look_past_edge(l, s0, v, &end, &out);
   return out;
 }
 
-/* ---- the legs ------------------------------------------------------------------------------- */
+/* ---- the segments -------------------------------------------------------------------------------
+ * */
 
-/* A leg is a motion in one band, or a hold at rest. */
+/* A segment is a motion in one band, or a hold at rest. */
 typedef struct bands_run {
   rot_axle_rest rest;
-  size_t legs; /* in this piece */
+  size_t segments; /* in this piece */
   int held;
-  leg leg;       /* moving: */
-  exit_point to; /* and where it leaves the band */
-  int slips;     /* held: the direction in which it breaks loose; 0: not in this piece */
+  segment segment; /* moving: */
+  exit_point to;   /* and where it leaves the band */
+  int slips;       /* held: the direction in which it breaks loose; 0: not in this piece */
   double slip_s, slip_lo, late_s; /* when, and the error of that */
 } bands_run;
 
 /* Begins a motion; `heading` counts where it starts on an edge. */
 static void begin_motion(bands_run *run, int heading, int slipped) {
   rot_axle_rest *rest = &run->rest;
-  leg l = leg_from(rest, heading);
+  segment l = segment_from(rest, heading);
   if (slipped) l.a = heading * (rest->scene->static_n_m - rest->scene->coulomb_n_m);
   exit_point to = exit_of(&l);
   if (to.side == AGAINST) {
     if (rest->base.omega != 0.0) {
-      l = leg_from(rest, -heading);
+      l = segment_from(rest, -heading);
       to = exit_of(&l);
     }
     if (to.side == AGAINST) {
@@ -389,7 +392,7 @@ static void begin_motion(bands_run *run, int heading, int slipped) {
   l.farthest = fmax(fabs(l.from.omega_rad_per_s), fabs(to.peak));
   if (to.peak != l.from.omega_rad_per_s) rot_note_state(rest->info, 0.0, l.band.ref + to.peak);
   run->held = 0;
-  run->leg = l;
+  run->segment = l;
   run->to = to;
 }
 
@@ -399,15 +402,15 @@ static rot_status break_loose(bands_run *run) {
   rot_axle_rest *rest = &run->rest;
   rot_axle_base *base = &rest->base;
   const rot_axle_scene *scene = rest->scene;
-  const double I = scene->linear.inertia_kg_m2, most = scene->static_n_m, late = run->late_s;
-  const double push = most - scene->coulomb_n_m, more = fabs(rise_in(&rest->piece, late));
+  const double I = scene->linear.inertia_kg_m2, max = scene->static_n_m, late = run->late_s;
+  const double push = max - scene->coulomb_n_m, more = fabs(rise_in(&rest->piece, late));
   const double c = scene->linear.viscous_n_m_s - band_of(scene, 0.0, run->slips).slope;
   double ahead = rot_muldiv(push, late, I, NULL) + 0.5 * rot_muldiv(more, late, I, NULL);
   if (c > 0.0) ahead = fmin(ahead, (push + more) / c);
   base->omega_error += ahead;
   base->theta_error += base->omega_error * late;
   int heading = run->slips;
-  const double above = nextafter(heading * most, heading * DBL_MAX);
+  const double above = nextafter(heading * max, heading * DBL_MAX);
   const rot_status status = rot_axle_rest_decide(rest, above, &heading);
   begin_motion(run, heading, 1);
   return status;
@@ -418,24 +421,24 @@ static rot_status begin_hold(bands_run *run) {
   rot_axle_rest *rest = &run->rest;
   const rot_torque_piece *piece = &rest->piece;
   const rot_axle_base *base = &rest->base;
-  const double most = rest->scene->static_n_m, at_rest = curve_at(rest->scene, 0.0);
+  const double max = rest->scene->static_n_m, at_rest = curve_at(rest->scene, 0.0);
   const double rise = piece->end_n_m - piece->start_n_m, span = piece->end_s - piece->start_s;
   run->held = 1;
   run->slips = (rise > 0.0) - (rise < 0.0);
-  if (!(run->slips * (piece->end_n_m + at_rest) > most)) run->slips = 0;
+  if (!(run->slips * (piece->end_n_m + at_rest) > max)) run->slips = 0;
   if (run->slips == 0) return ROT_OK;
   double lo, time_lo, now_lo;
-  const double x = rot_muldiv(run->slips * most - at_rest - piece->start_n_m, span, rise, &lo);
+  const double x = rot_muldiv(run->slips * max - at_rest - piece->start_n_m, span, rise, &lo);
   run->slip_s = rot_two_sum(piece->start_s, x, &time_lo);
   run->slip_lo = time_lo + lo;
-  const double size = most + fabs(at_rest) + fabs(piece->start_n_m);
+  const double size = max + fabs(at_rest) + fabs(piece->start_n_m);
   run->late_s = 4.0 * ROT_EPS * (rot_muldiv(size, span, fabs(rise), NULL) + fabs(x));
   const double now =
       rot_two_sum(run->slip_s, -base->time_s, &now_lo) + (now_lo + run->slip_lo - base->time_lo);
   return now > 0.0 ? ROT_OK : break_loose(run);
 }
 
-static rot_status enter_leg(bands_run *run) {
+static rot_status enter_segment(bands_run *run) {
   rot_axle_rest *rest = &run->rest;
   const rot_axle_scene *scene = rest->scene;
   const rot_axle_base *base = &rest->base;
@@ -443,8 +446,8 @@ static rot_status enter_leg(bands_run *run) {
    * edge is met a few times at most. */
   size_t n;
   (void)speeds_of(scene, &n);
-  if (rot_axle_rest_enter(rest)) run->legs = 0;
-  if (run->legs++ == 1000 + 16 * n) return ROT_EBUDGET;
+  if (rot_axle_rest_enter(rest)) run->segments = 0;
+  if (run->segments++ == 1000 + 16 * n) return ROT_EBUDGET;
   int heading = base->omega > 0.0 ? 1 : -1;
   if (base->omega == 0.0) {
     const double applied = knots_at_base(rest) + curve_at(scene, 0.0);
@@ -459,7 +462,7 @@ static rot_status enter_leg(bands_run *run) {
 }
 
 static rot_status restart(void *model, int forward) {
-  return forward ? enter_leg(model) : ROT_EVALUE;
+  return forward ? enter_segment(model) : ROT_EVALUE;
 }
 
 static double hold_end(const bands_run *run) {
@@ -472,7 +475,7 @@ static int holds(const void *model, double time_s) {
   double lo;
   if (run->held) return time_s < hold_end(run);
   if (!(time_s < run->rest.piece.end_s)) return 0;
-  if (run->to.side == NOWHERE && run->leg.to_end) return 1;
+  if (run->to.side == NOWHERE && run->segment.to_end) return 1;
   return !(rot_axle_rest_elapsed(&run->rest, time_s, &lo) >= run->to.s);
 }
 
@@ -481,13 +484,14 @@ static rot_status write_row(void *model, size_t i) {
   rot_axle_rest *rest = &run->rest;
   if (run->held) return rot_axle_rest_held_row(rest, i);
   const rot_axle_base *base = &rest->base;
-  const leg *l = &run->leg;
+  const segment *l = &run->segment;
   const double t = rest->time_s[i];
   double lo, s = rot_axle_rest_elapsed(rest, t, &lo);
   const int exact = base->time_lo == 0.0;
   const double b = in_band(l, rot_torque_in_piece(&rest->piece, t));
-  const rot_axle_state v = exact ? leg_state(l, base->time_s, t, b) : leg_state(l, 0.0, s, b);
-  rot_axle_change row = leg_change(l, &v, s, b, !exact);
+  const rot_axle_state v =
+      exact ? segment_state(l, base->time_s, t, b) : segment_state(l, 0.0, s, b);
+  rot_axle_change row = segment_change(l, &v, s, b, !exact);
   if (s == 0.0) row.omega = base->omega;
   return rot_axle_rest_row(rest, i, &row,
                            rot_axle_scene_applied(rest->scene, t, base->theta, 0.0, row.omega));
@@ -495,25 +499,25 @@ static rot_status write_row(void *model, size_t i) {
 
 /* Error of the time of a stop, from that of omega: by the net torque or, where the torques balance
  * there, by its rate of change. */
-static double settling_time(const leg *l, double net, double omega_error) {
+static double settling_time(const segment *l, double net, double omega_error) {
   const rot_torque_piece *piece = &l->rest->piece;
   const double I = l->law.inertia_kg_m2, rise = fabs(piece->end_n_m - piece->start_n_m);
-  const double pace =
+  const double time_scales =
       rise > 0.0 ? rot_muldiv(I, piece->end_s - piece->start_s, rise, NULL) : (double)INFINITY;
-  return fmin(rot_muldiv(omega_error, I, net, NULL), sqrt(2.0 * omega_error) * sqrt(pace));
+  return fmin(rot_muldiv(omega_error, I, net, NULL), sqrt(2.0 * omega_error) * sqrt(time_scales));
 }
 
 /* The base to the end of the motion: onto the edge, or to the end of the piece. */
 static rot_status finish_motion(bands_run *run) {
   rot_axle_rest *rest = &run->rest;
   rot_axle_base *base = &rest->base;
-  const leg *l = &run->leg;
+  const segment *l = &run->segment;
   const exit_point *to = &run->to;
   const double s = to->s, b = torque_after(l, s);
   const int exact = to->side == NOWHERE && l->to_end && base->time_lo == 0.0;
   const rot_axle_state v =
-      exact ? leg_state(l, base->time_s, rest->piece.end_s, l->b) : leg_state(l, 0.0, s, b);
-  rot_axle_change end = leg_change(l, &v, s, b, !exact);
+      exact ? segment_state(l, base->time_s, rest->piece.end_s, l->b) : segment_state(l, 0.0, s, b);
+  rot_axle_change end = segment_change(l, &v, s, b, !exact);
   double time = rest->piece.end_s, time_lo = 0.0, wanted = end.omega;
   if (to->side != NOWHERE) {
     wanted = to->side == ABOVE ? l->band.upper : l->band.lower;
@@ -544,7 +548,7 @@ static rot_status next_piece(void *model, double *end_s) {
     status = finish_motion(run);
   }
   *end_s = base->time_s;
-  if (status != ROT_OK || !breaks_loose) return status != ROT_OK ? status : enter_leg(run);
+  if (status != ROT_OK || !breaks_loose) return status != ROT_OK ? status : enter_segment(run);
   base->time_s = rot_two_sum(run->slip_s, run->slip_lo, &base->time_lo);
   base->omega_error = 0.0;
   return break_loose(run);
@@ -566,10 +570,10 @@ static int fits(const rot_axle_scene *scene, double last_s) {
 rot_status rot_axle_bands(const rot_axle_scene *scene, size_t n, const double time_s[],
                           const rot_axle_columns *out, rot_events *events, const rot_hooks *hooks,
                           rot_info *info) {
-  static const rot_march march = {restart, holds, next_piece, write_row, NULL};
+  static const rot_stepping stepping = {restart, holds, next_piece, write_row, NULL};
   bands_run run = {.rest = rot_axle_rest_from(scene, n, time_s, out, events, info)};
   if (n > 0 && !fits(scene, time_s[n - 1])) return info->status = ROT_EVALUE;
-  rot_march_rows(&march, &run, scene->linear.start_s, n, time_s, hooks, info);
+  rot_step_rows(&stepping, &run, scene->linear.start_s, n, time_s, hooks, info);
   rot_axle_motor_error(scene, n, time_s, info);
   return info->status;
 }

@@ -6,7 +6,7 @@
 #include "scene/axle/motor.h"
 #include "scene/axle/rest.h"
 #include "maths/drag.h"
-#include "engine/march.h"
+#include "engine/stepping.h"
 #include "ground/real.h"
 
 static int fits(const rot_axle_scene *scene) {
@@ -23,7 +23,7 @@ static rot_drag_law law_towards(const rot_axle_scene *scene, double torque, int 
   return law;
 }
 
-/* A leg: held to the end of the piece, or moving up to there or to the stop. */
+/* A segment: held to the end of the piece, or moving up to there or to the stop. */
 typedef struct drag_run {
   rot_axle_rest rest;
   int held;
@@ -46,7 +46,7 @@ static rot_axle_change after(const drag_run *run, double t, double t_lo) {
   return out;
 }
 
-static rot_status enter_leg(drag_run *run) {
+static rot_status enter_segment(drag_run *run) {
   rot_axle_rest *rest = &run->rest;
   const rot_axle_base *base = &rest->base;
   rot_axle_rest_enter(rest);
@@ -66,7 +66,7 @@ static rot_status enter_leg(drag_run *run) {
 }
 
 static rot_status restart(void *model, int forward) {
-  return forward ? enter_leg(model) : ROT_EVALUE;
+  return forward ? enter_segment(model) : ROT_EVALUE;
 }
 
 static int holds(const void *model, double time_s) {
@@ -125,16 +125,16 @@ static rot_status next_piece(void *model, double *end_s) {
   /* A stop within one ulp of time is a change. */
   const int stays = base->time_s == before.time_s && base->time_lo == before.time_lo &&
                     base->omega == before.omega;
-  return stays ? ROT_ESTEP : enter_leg(run);
+  return stays ? ROT_ESTEP : enter_segment(run);
 }
 
 rot_status rot_axle_drag(const rot_axle_scene *scene, size_t n, const double time_s[],
                          const rot_axle_columns *out, rot_events *events, const rot_hooks *hooks,
                          rot_info *info) {
-  static const rot_march march = {restart, holds, next_piece, write_row, NULL};
+  static const rot_stepping stepping = {restart, holds, next_piece, write_row, NULL};
   drag_run run = {.rest = rot_axle_rest_from(scene, n, time_s, out, events, info)};
   if (!fits(scene)) return info->status = ROT_EVALUE;
-  rot_march_rows(&march, &run, scene->linear.start_s, n, time_s, hooks, info);
+  rot_step_rows(&stepping, &run, scene->linear.start_s, n, time_s, hooks, info);
   rot_axle_motor_error(scene, n, time_s, info);
   return info->status;
 }
@@ -146,7 +146,7 @@ rot_status rot_axle_drag_stop(const rot_axle_scene *scene, double *time_s, doubl
   *time_s = INFINITY;
   *theta_rad = NAN;
   if (!fits(scene)) return ROT_EVALUE;
-  rot_status status = enter_leg(&run);
+  rot_status status = enter_segment(&run);
   while (status == ROT_OK &&
          (isfinite(run.rest.piece.end_s) || (!run.held && run.stop_s < INFINITY))) {
     status = next_piece(&run, &info.time_s);

@@ -13,10 +13,10 @@ static double time_span(const rot_axle_scene *scene, const rot_query *query) {
   return fmax(fabs(query->time_s[0] - start), fabs(query->time_s[query->n - 1] - start));
 }
 
-static double least_inertia(const rot_axle_scene *scene) {
-  double least = scene->linear.inertia_kg_m2;
-  for (size_t i = 0; i < scene->n_inertia; i++) least = fmin(least, scene->inertia_kg_m2[i]);
-  return least;
+static double min_inertia(const rot_axle_scene *scene) {
+  double min = scene->linear.inertia_kg_m2;
+  for (size_t i = 0; i < scene->n_inertia; i++) min = fmin(min, scene->inertia_kg_m2[i]);
+  return min;
 }
 
 /* Sum over the terms of a kind of size(x). */
@@ -38,11 +38,11 @@ static double pushing(const double *x) { return fmax(0.0, -x[0]); }
 static double steepest_rise(const double *x) {
   const size_t n = (size_t)x[0];
   const double *speed = x + 1, *torque = speed + n;
-  double most = 0.0;
+  double max = 0.0;
   for (size_t i = 1; i < n; i++) {
-    most = fmax(most, (torque[i] - torque[i - 1]) / (speed[i] - speed[i - 1]));
+    max = fmax(max, (torque[i] - torque[i - 1]) / (speed[i] - speed[i - 1]));
   }
-  return most;
+  return max;
 }
 
 /* Largest |torque| of the terms that do not depend on the motion, N m. */
@@ -52,13 +52,13 @@ static double largest_drive(const rot_axle_scene *scene, double last_s) {
   for (size_t i = 0; i < torque->n; i++) knots = fmax(knots, fabs(torque->torque_n_m[i]));
   for (size_t i = 0; i < scene->n_terms; i++) {
     const double *x = scene->terms[i].x;
-    double most = 0.0;
+    double max = 0.0;
     switch (scene->terms[i].kind) {
     case ROT_TERM_SINUSOID: terms += fabs(x[0]); break;
     case ROT_TERM_EXPONENTIAL: terms += fabs(x[0]) * fmax(1.0, exp(-x[1] * (last_s - x[2]))); break;
     case ROT_TERM_CURVE:
-      for (size_t j = 1; j <= (size_t)x[0]; j++) most = fmax(most, fabs(x[(size_t)x[0] + j]));
-      terms += most;
+      for (size_t j = 1; j <= (size_t)x[0]; j++) max = fmax(max, fabs(x[(size_t)x[0] + j]));
+      terms += max;
       break;
     case ROT_TERM_SPRING:
     case ROT_TERM_GRAVITY: break;
@@ -70,8 +70,8 @@ static double largest_drive(const rot_axle_scene *scene, double last_s) {
 
 /* Largest growth of a disturbance: exp of the time by the growth rates of torques that depend on
  * the motion. */
-static double growth_bound(const rot_axle_scene *scene, double span) {
-  const double inertia = least_inertia(scene);
+static double propagation_bound(const rot_axle_scene *scene, double span) {
+  const double inertia = min_inertia(scene);
   const double driven = fmax(0.0, -scene->linear.viscous_n_m_s) / inertia;
   const double rising = term_sum(scene, ROT_TERM_CURVE, steepest_rise) / inertia;
   const double pulled =
@@ -85,7 +85,7 @@ static double growth_bound(const rot_axle_scene *scene, double span) {
  * energy of an oscillation by its ratio (parametric pumping). */
 static double largest_omega(const rot_axle_scene *scene, const rot_query *query) {
   const rot_axle_params *p = &scene->linear;
-  const double span = time_span(scene, query), inertia = least_inertia(scene);
+  const double span = time_span(scene, query), inertia = min_inertia(scene);
   const double drive = largest_drive(scene, query->n ? query->time_s[query->n - 1] : p->start_s);
   double stored = 0.0, reach = drive / inertia * span, pumped = 1.0;
   for (size_t i = 0; i < scene->n_terms; i++) {
@@ -103,7 +103,7 @@ static double largest_omega(const rot_axle_scene *scene, const rot_query *query)
     reach = fmin(reach, drive / p->viscous_n_m_s);
   }
   const double start = fabs(p->omega0_rad_per_s) * p->inertia_kg_m2 / inertia;
-  return (sqrt(start * start + stored) + reach) * pumped * growth_bound(scene, span);
+  return (sqrt(start * start + stored) + reach) * pumped * propagation_bound(scene, span);
 }
 
 /* ---- bounds ---------------------------------------------------------------------------------- */
@@ -111,17 +111,18 @@ static double largest_omega(const rot_axle_scene *scene, const rot_query *query)
 /* Resistance that grows with omega makes two motions converge, so resistance other than
  * viscous is left out here: |delta omega| <= size/I min(T, I/c), and no more than impulse/I. */
 void rot_axle_disturbance(const rot_axle_scene *scene, const rot_query *query, double size_n_m,
-                          double impulse_n_m_s, double growth, double *theta, double *omega) {
-  const double span = time_span(scene, query), inertia = least_inertia(scene);
+                          double impulse_n_m_s, double propagation, double *theta, double *omega) {
+  const double span = time_span(scene, query), inertia = min_inertia(scene);
   const double c = scene->linear.viscous_n_m_s;
   const int oscillates = (rot_axle_effects(scene) &
                           (unsigned)(ROT_AXLE_SPRING | ROT_AXLE_GRAVITY | ROT_AXLE_INERTIA)) != 0;
   const double reach = c > 0.0 && !oscillates ? fmin(span, inertia / c) : span;
-  if (isnan(growth)) {
+  if (isnan(propagation)) {
     const int backward = query->n && query->time_s[0] < scene->linear.start_s;
-    growth = growth_bound(scene, span) * (backward ? exp(fmax(0.0, c) / inertia * span) : 1.0);
+    propagation =
+        propagation_bound(scene, span) * (backward ? exp(fmax(0.0, c) / inertia * span) : 1.0);
   }
-  *omega = fmin(size_n_m * reach, impulse_n_m_s) / inertia * growth;
+  *omega = fmin(size_n_m * reach, impulse_n_m_s) / inertia * propagation;
   *theta = *omega * span;
 }
 
@@ -190,10 +191,10 @@ static void bound_drop(const rot_axle_scene *scene, const rot_axle_scene *reduce
                        rot_axle_model model, unsigned effects, const rot_query *query, double worst,
                        rot_drop *drop) {
   double size[ROT_AXLE_EFFECTS], sum = 0.0, theta, omega;
-  const double most = largest_omega(scene, query);
-  const double angle = fabs(scene->linear.theta0_rad) + most * time_span(scene, query);
+  const double max = largest_omega(scene, query);
+  const double angle = fabs(scene->linear.theta0_rad) + max * time_span(scene, query);
   for (size_t i = 0; i < ROT_AXLE_EFFECTS; i++) {
-    size[i] = effects >> i & 1u ? effect_torque(scene, 1u << i, most, angle) : 0.0;
+    size[i] = effects >> i & 1u ? effect_torque(scene, 1u << i, max, angle) : 0.0;
     sum += size[i];
   }
   if (!isfinite(sum)) return;

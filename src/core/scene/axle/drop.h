@@ -12,7 +12,7 @@
  * impulse_n_m_s (INFINITY: unknown), up to the first and last of the times. `growth` is the
  * growth of a disturbance relative to free motion; NaN: a bound on it. */
 void rot_axle_disturbance(const rot_axle_scene *scene, const rot_query *query, double size_n_m,
-                          double impulse_n_m_s, double growth, double *theta, double *omega);
+                          double impulse_n_m_s, double propagation, double *theta, double *omega);
 
 /* The scene without effects; its terms go to terms[], which has room for all of them. */
 rot_axle_scene rot_axle_without(const rot_axle_scene *scene, unsigned effects, rot_term terms[]);

@@ -12,7 +12,7 @@
 #include "scene/axle/ledger.h"
 #include "scene/axle/linear.h"
 #include "scene/axle/motor.h"
-#include "scene/axle/pace.h"
+#include "scene/axle/time_scales.h"
 
 enum {
   WORK = ROT_AXLE_FLOW_WORK,

@@ -32,7 +32,7 @@ typedef struct rot_axle_flows {
 /* The body at rest in its gears: what they take, as numbers of the torque that acts. */
 typedef struct rot_axle_gears {
   double applied_n_m, forward_n_m, backward_n_m; /* of the shafts; loss from rest, both ways */
-  double bearings_n_m_s, least_n_m_s;            /* resistance of the shafts; the least of all */
+  double bearings_n_m_s, min_n_m_s;              /* resistance of the shafts; the least of all */
 } rot_axle_gears;
 
 /* A motion by a closed form, and the scene whose torques count: that one, or one with more

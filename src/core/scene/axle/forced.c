@@ -33,10 +33,10 @@ enum { WAVE_ROUNDINGS = 14, DECAY_ROUNDINGS = 16, POWER_ROUNDINGS = 24 };
 /* What does not change between two breaks. Coefficient j of a polynomial about the base is
  * a[j] 2^exponent[j]; at_most[j] is the sum of what was added in it, in the same units. */
 typedef struct forced_term {
-  const rot_term *term;     /* NULL: it does not act here */
-  double cosine, sine;      /* of the phase at the base */
-  double growth, growth_lo; /* logarithm of the exponential at the base */
-  double ratio;             /* Omega I/c, or lambda I/c */
+  const rot_term *term;               /* NULL: it does not act here */
+  double cosine, sine;                /* of the phase at the base */
+  double propagation, propagation_lo; /* logarithm of the exponential at the base */
+  double ratio;                       /* Omega I/c, or lambda I/c */
   int degree;
   double a[MAX_DEGREE + 1], at_most[MAX_DEGREE + 1];
   int exponent[MAX_DEGREE + 1];
@@ -120,8 +120,8 @@ static void prepare_decay(forced_term *f, double base_s, double I, double c) {
   const double *x = f->term->x;
   double since_lo, lo, since = rot_two_sum(base_s, -x[2], &since_lo);
   const double fall = rot_two_prod(x[1], since, &lo);
-  f->growth = -fall;
-  f->growth_lo = isfinite(lo) ? -(lo + x[1] * since_lo) : 0.0;
+  f->propagation = -fall;
+  f->propagation_lo = isfinite(lo) ? -(lo + x[1] * since_lo) : 0.0;
   f->ratio = rot_muldiv(x[1], I, c, NULL);
 }
 
@@ -149,30 +149,30 @@ static double grown(double A, rot_dd g, int n, const double x[], double d1, doub
 /* z or y infinite: the limits, a quasi-static axle or an impulsive torque. */
 static forced_part decay_at_once(const forced_term *f, const forced_span *at, rot_dd y) {
   const double A = f->term->x[0], rate = f->term->x[1], s = at->s, I = at->I, c = at->c;
-  const rot_dd g = {f->growth, f->growth_lo}, z = {at->z, at->z_lo};
+  const rot_dd g = {f->propagation, f->propagation_lo}, z = {at->z, at->z_lo};
   forced_part part = {0};
   /* s/(I p) remains, with p the distance of the outer two of the nodes 0, -z and -y. */
   if (z.hi == INFINITY && y.hi == INFINITY) {
     part.value[1] = grown(A, g, 1, (double[]){1.0 / rate}, c, 1.0);
   } else if (z.hi == INFINITY) {
-    const double apart = 1.0 - f->ratio;
+    const double difference = 1.0 - f->ratio;
     const rot_dd high = y.hi < 0.0 ? sum_of(g, rot_dd_neg(y)) : g;
-    part.value[0] = grown(A, sum_of(g, rot_dd_neg(y)), 0, NULL, c, apart);
+    part.value[0] = grown(A, sum_of(g, rot_dd_neg(y)), 0, NULL, c, difference);
     part.value[1] =
-        grown(A, high, 2, (double[]){s, phi_1(fabs(y.hi))}, c, y.hi < 0.0 ? apart : 1.0);
+        grown(A, high, 2, (double[]){s, phi_1(fabs(y.hi))}, c, y.hi < 0.0 ? difference : 1.0);
   } else {
-    const double apart = 1.0 - 1.0 / f->ratio;
+    const double difference = 1.0 - 1.0 / f->ratio;
     const rot_dd high = z.hi < 0.0 ? sum_of(g, rot_dd_neg(z)) : g;
-    part.value[0] = grown(A, sum_of(g, rot_dd_neg(z)), 1, (double[]){1.0 / apart}, I, rate);
+    part.value[0] = grown(A, sum_of(g, rot_dd_neg(z)), 1, (double[]){1.0 / difference}, I, rate);
     part.value[1] = grown(
-        A, high, 3, (double[]){s, phi_1(fabs(z.hi)), z.hi < 0.0 ? 1.0 / apart : 1.0}, I, rate);
+        A, high, 3, (double[]){s, phi_1(fabs(z.hi)), z.hi < 0.0 ? 1.0 / difference : 1.0}, I, rate);
   }
   return part;
 }
 
 static forced_part decay_part(const forced_term *f, const forced_span *at) {
   const double A = f->term->x[0], s = at->s, I = at->I;
-  const rot_dd z = {at->z, at->z_lo}, g = {f->growth, f->growth_lo};
+  const rot_dd z = {at->z, at->z_lo}, g = {f->propagation, f->propagation_lo};
   rot_dd y;
   y.hi = rot_two_prod(f->term->x[1], s, &y.lo);
   y.lo = isfinite(y.lo) ? y.lo + f->term->x[1] * at->s_lo : 0.0;
@@ -183,23 +183,24 @@ static forced_part decay_part(const forced_term *f, const forced_span *at) {
     /* exp[-z, -y] = exp(-min) phi_1(-|z - y|); exp[0, -z, -y] with the largest node at zero. */
     const rot_dd gap = sum_of(z, rot_dd_neg(y)), less = gap.hi > 0.0 ? y : z,
                  more = gap.hi > 0.0 ? z : y;
-    const double apart = fabs(gap.hi);
+    const double difference = fabs(gap.hi);
     rot_dd top = {0.0, 0.0};
     double p, q, r, scale;
-    part.value[0] = grown(A, sum_of(g, rot_dd_neg(less)), 2, (double[]){s, phi_1(apart)}, I, 1.0);
+    part.value[0] =
+        grown(A, sum_of(g, rot_dd_neg(less)), 2, (double[]){s, phi_1(difference)}, I, 1.0);
     if (less.hi >= 0.0) { /* nodes 0, -less, -more */
       p = more.hi;
       q = less.hi;
-      r = apart;
+      r = difference;
     } else if (more.hi >= 0.0) { /* -less, 0, -more */
       top = rot_dd_neg(less);
-      p = apart;
+      p = difference;
       q = -less.hi;
       r = more.hi;
     } else { /* -less, -more, 0 */
       top = rot_dd_neg(less);
       p = -less.hi;
-      q = apart;
+      q = difference;
       r = -more.hi;
     }
     const double value = rot_divided_decay(p, q, r, &scale);
@@ -239,19 +240,19 @@ static void shift_coefficients(forced_term *f, const double a[], double u, doubl
   int eu;
   powers(u, u_lo, n, power, &eu);
   for (int j = 0; j <= n; j++) {
-    int most = -1000000, e[MAX_DEGREE + 1] = {0};
+    int max = -1000000, e[MAX_DEGREE + 1] = {0};
     double m[MAX_DEGREE + 1];
     for (int k = j; k <= n; k++) {
       m[k] = u == 0.0 && k > j ? 0.0 : frexp(a[k], &e[k]);
       e[k] += (k - j) * eu;
-      if (m[k] != 0.0 && e[k] > most) most = e[k];
+      if (m[k] != 0.0 && e[k] > max) max = e[k];
     }
     rot_dd sum = {0.0, 0.0};
     double size = 0.0;
     for (int k = j; k <= n; k++) {
-      if (m[k] == 0.0 || e[k] < most - 2000) continue;
+      if (m[k] == 0.0 || e[k] < max - 2000) continue;
       const rot_dd p = power[k - j];
-      const double b = ldexp(m[k], e[k] - most), c = binomial(k, j);
+      const double b = ldexp(m[k], e[k] - max), c = binomial(k, j);
       double lo, cb = c * b, cb_lo = fma(c, b, -cb), hi = rot_two_prod(cb, p.hi, &lo);
       sum = sum_of(sum, (rot_dd){hi, lo + cb * p.lo + cb_lo * p.hi});
       size += fabs(hi);
@@ -259,7 +260,7 @@ static void shift_coefficients(forced_term *f, const double a[], double u, doubl
     f->a[j] = sum.hi;
     f->at_most[j] =
         fabs(sum.hi) + size * 0x1p-45; /* a rounding of sum, and 2^-98 of what it adds */
-    f->exponent[j] = most;
+    f->exponent[j] = max;
   }
 }
 
@@ -280,15 +281,15 @@ static forced_part powers_part(const forced_term *f, const forced_span *at) {
   const double s = at->s, I = at->I;
   const int n = f->degree, settled = at->z == INFINITY;
   rot_dd power[MAX_DEGREE + 1];
-  int es, most = -1000000;
+  int es, max = -1000000;
   powers(s, at->s_lo, n, power, &es);
   for (int j = 0; j <= n; j++) {
     const int e = f->exponent[j] + j * es;
-    if (f->a[j] != 0.0 && e > most) most = e;
+    if (f->a[j] != 0.0 && e > max) max = e;
   }
   double sum[2] = {0.0, 0.0}, low[2] = {0.0, 0.0}, size[2] = {0.0, 0.0}, factorial = 1.0;
   for (int j = 0; j <= n; factorial *= ++j) {
-    const int e = f->exponent[j] + j * es - most;
+    const int e = f->exponent[j] + j * es - max;
     if (f->a[j] == 0.0 || e < -2000) continue;
     const double scale = ldexp(power[j].hi, e);
     const double w[2] = {settled ? 1.0 : factorial * at->phi[j + 1],
@@ -300,15 +301,15 @@ static forced_part powers_part(const forced_term *f, const forced_span *at) {
   }
   forced_part part = {0};
   part.roundings = POWER_ROUNDINGS;
-  if (most == -1000000) return part;
+  if (max == -1000000) return part;
   for (int i = 0; i < 2; i++) {
     const double x[] = {sum[i] + low[i], s, s}, y[] = {size[i], s, s};
     int ex, ey;
     const int count = (settled ? 1 : 2) + i;
     const double px = rot_product_split(count, x, settled ? at->c : I, &ex);
     const double py = rot_product_split(count, y, settled ? at->c : I, &ey);
-    part.value[i] = ldexp(px, ex + most);
-    part.size[i] = ldexp(py, ey + most);
+    part.value[i] = ldexp(px, ex + max);
+    part.size[i] = ldexp(py, ey + max);
   }
   return part;
 }

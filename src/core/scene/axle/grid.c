@@ -4,7 +4,7 @@
 
 #include "scene/axle/grid_fill.h"
 #include "ground/real.h"
-#include "ground/wide.h"
+#include "ground/simd.h"
 
 /* Where l = c/I, A the acceleration at the start and b the torque's slope over I,
  *
@@ -115,8 +115,8 @@ static int make_table(rot_axle_grid *grid, const rot_axle_params *p, double step
   grid->step_s = step_s;
   const int terms = terms_for(lambda * step_s * (double)grid->rows);
   for (size_t j = 0; j <= grid->rows; j++) grid->s[j] = (double)j * step_s;
-  if (rot_wide_ok())
-    rot_axle_grid_table_wide(grid, lambda, terms);
+  if (rot_simd_ok())
+    rot_axle_grid_table_simd(grid, lambda, terms);
   else
     fill_table(grid, lambda, terms);
   return 1;
@@ -126,8 +126,8 @@ static int make_table(rot_axle_grid *grid, const rot_axle_params *p, double step
 
 static int fill(const rot_axle_grid *grid, const rot_axle_state *from, const departure *go,
                 size_t n, const double time_s[], const rot_axle_columns *out) {
-  return n >= ROT_WIDE_PAIR && rot_wide_ok()
-             ? rot_axle_grid_fill_wide(grid, from, go, n, time_s, out)
+  return n >= ROT_SIMD_PAIR && rot_simd_ok()
+             ? rot_axle_grid_fill_simd(grid, from, go, n, time_s, out)
              : fill_chunk(grid, from, go, n, time_s, out);
 }
 
@@ -163,7 +163,7 @@ static size_t even_rows(const rot_axle_grid *grid, size_t n, const double time_s
 
 /* A table for the first rows, the old one if its step is the same. */
 static int find_table(rot_axle_grid *grid, const rot_axle_params *p, const double time_s[]) {
-  const double step_s = (time_s[ROT_GRID_LEAST - 1] - time_s[0]) / (ROT_GRID_LEAST - 1);
+  const double step_s = (time_s[ROT_GRID_MIN - 1] - time_s[0]) / (ROT_GRID_MIN - 1);
   return fabs(step_s - grid->step_s) <= ROT_GRID_UNEVEN / ROT_GRID_ROWS * step_s ||
          make_table(grid, p, step_s);
 }
@@ -172,7 +172,7 @@ size_t rot_axle_grid_rows(rot_axle_grid *grid, const rot_axle_params *p, rot_axl
                           const rot_torque_piece *piece, size_t n, const double time_s[],
                           const rot_axle_columns *out, rot_info *info) {
   const law *k = &grid->law;
-  if (n < ROT_GRID_LEAST || k->two_signs || !find_table(grid, p, time_s)) return 0;
+  if (n < ROT_GRID_MIN || k->two_signs || !find_table(grid, p, time_s)) return 0;
 
   rot_axle_state at = rot_axle_grid_step(grid, p, base, piece, time_s[0]);
   /* All chunks are of one length, wherever the columns lie: bits must not depend on an address. */

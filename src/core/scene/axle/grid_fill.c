@@ -1,8 +1,8 @@
-/* The kernel for registers of four (ground/wide.h). */
-#include "ground/wide.h"
+/* The kernel for registers of four (ground/simd.h). */
+#include "ground/simd.h"
 
-#ifdef ROT_WIDE_CAN
-#define ROT_WIDE
+#ifdef ROT_SIMD_CAN
+#define ROT_SIMD
 #endif
 
 #include "scene/axle/grid_fill.h"
@@ -23,11 +23,11 @@ const double rot_axle_grid_series[ROT_GRID_TERMS] = {1 / 6.0,
                                                      1 / 1307674368000.0,
                                                      -1 / 20922789888000.0};
 
-ROT_TARGET void rot_axle_grid_table_wide(rot_axle_grid *grid, double lambda, int terms) {
+ROT_TARGET void rot_axle_grid_table_simd(rot_axle_grid *grid, double lambda, int terms) {
   fill_table(grid, lambda, terms);
 }
 
-ROT_TARGET int rot_axle_grid_fill_wide(const rot_axle_grid *grid, const rot_axle_state *from,
+ROT_TARGET int rot_axle_grid_fill_simd(const rot_axle_grid *grid, const rot_axle_state *from,
                                        const rot_axle_departure *go, size_t n,
                                        const double time_s[], const rot_axle_columns *out) {
   return fill_chunk(grid, from, go, n, time_s, out);

@@ -89,8 +89,8 @@ ROT_INLINE int fill_chunk(const rot_axle_grid *grid, const rot_axle_state *from,
 }
 
 /* The same for registers of four; n >= ROT_WIDE_PAIR. */
-void rot_axle_grid_table_wide(rot_axle_grid *grid, double lambda, int terms);
-int rot_axle_grid_fill_wide(const rot_axle_grid *grid, const rot_axle_state *from,
+void rot_axle_grid_table_simd(rot_axle_grid *grid, double lambda, int terms);
+int rot_axle_grid_fill_simd(const rot_axle_grid *grid, const rot_axle_state *from,
                             const rot_axle_departure *go, size_t n, const double time_s[],
                             const rot_axle_columns *out);
 

@@ -7,7 +7,7 @@
 
 #include "scene/axle/axle.h"
 
-enum { ROT_GRID_ROWS = 64, ROT_GRID_LEAST = 16 };
+enum { ROT_GRID_ROWS = 64, ROT_GRID_MIN = 16 };
 
 /* The scene within a piece: torque = a (end - t) + b (t - start), or b where it is constant. */
 typedef struct rot_axle_law {

@@ -229,17 +229,17 @@ static const rot_input pendulum_inputs[] = {
 
 /* From the axle that the body names to its centre of mass; 0: it names none, or the centre. */
 static double named_distance(const rot_given_body *body, const double axis[3]) {
-  double off[3], along = 0.0, most = 0.0, square = 0.0;
+  double off[3], along = 0.0, max = 0.0, square = 0.0;
   for (int k = 0; k < 3; k++) {
     off[k] = body->centre_m[k] - body->axle_m[k];
     along += off[k] * axis[k];
   }
   for (int k = 0; k < 3; k++) {
     off[k] -= along * axis[k];
-    most = fmax(most, fabs(off[k]));
+    max = fmax(max, fabs(off[k]));
   }
-  for (int k = 0; k < 3 && most > 0.0; k++) square += (off[k] / most) * (off[k] / most);
-  return most > 0.0 ? most * sqrt(square) : 0.0;
+  for (int k = 0; k < 3 && max > 0.0; k++) square += (off[k] / max) * (off[k] / max);
+  return max > 0.0 ? max * sqrt(square) : 0.0;
 }
 
 static rot_status build_pendulum(const rot_given given[], rot_store *store, void *to,

@@ -4,7 +4,7 @@
 
 #include "scene/axle/grid.h"
 #include "scene/axle/motor.h"
-#include "engine/march.h"
+#include "engine/stepping.h"
 #include "maths/phi.h"
 #include "ground/real.h"
 
@@ -41,12 +41,12 @@ static rot_status free_rows(void *model, size_t first, size_t last, size_t *end)
 
 rot_status rot_axle_free(const rot_axle_params *p, size_t n, const double time_s[],
                          const rot_axle_columns *out, const rot_hooks *hooks, rot_info *info) {
-  static const rot_march march = {.write_rows = free_rows};
+  static const rot_stepping stepping = {.write_rows = free_rows};
   row_run run = {.p = p, .time_s = time_s, .out = out, .info = info};
   rot_info_clear(info, rot_turning);
   rot_note_state(info, p->theta0_rad, p->omega0_rad_per_s);
   info->steps = n > 0;
-  return rot_march_rows(&march, &run, p->start_s, n, time_s, hooks, info);
+  return rot_step_rows(&stepping, &run, p->start_s, n, time_s, hooks, info);
 }
 
 /* ---- rows inside one piece ------------------------------------------------------------------ */
@@ -233,7 +233,7 @@ static rot_status rows_in_piece(void *model, size_t i, size_t end, size_t *good)
   return status;
 }
 
-/* ---- the march ------------------------------------------------------------------------------ */
+/* ---- time stepping -------------------------------------------------------------------------- */
 
 static void enter_piece(row_run *run) {
   const rot_axle_params *p = run->p;
@@ -280,7 +280,7 @@ static rot_status next_piece(void *model, double *end_s) {
 
 static rot_status linear(const rot_axle_params *p, size_t n, const double time_s[], int fast,
                          const rot_axle_columns *out, const rot_hooks *hooks, rot_info *info) {
-  static const rot_march march = {restart, holds, next_piece, NULL, rows_in_piece};
+  static const rot_stepping stepping = {restart, holds, next_piece, NULL, rows_in_piece};
   rot_axle_grid grid;
   row_run run = {
       .p = p, .time_s = time_s, .out = out, .info = info, .on_grids = fast, .grid = &grid};
@@ -291,7 +291,7 @@ static rot_status linear(const rot_axle_params *p, size_t n, const double time_s
   rot_axle_grid_begin(&grid);
   rot_info_clear(info, rot_turning);
   rot_note_state(info, p->theta0_rad, p->omega0_rad_per_s);
-  return rot_march_rows(&march, &run, p->start_s, n, time_s, hooks, info);
+  return rot_step_rows(&stepping, &run, p->start_s, n, time_s, hooks, info);
 }
 
 rot_status rot_axle_linear(const rot_axle_params *p, size_t n, const double time_s[],

@@ -16,7 +16,7 @@ rot_status rot_axle_free(const rot_axle_params *p, size_t n, const double time_s
 rot_status rot_axle_linear(const rot_axle_params *p, size_t n, const double time_s[],
                            const rot_axle_columns *out, const rot_hooks *hooks, rot_info *info);
 
-/* The same, and even stretches of the times from a table (scene/axle/grid.h): ten times as fast,
+/* The same, and even segments of the times from a table (scene/axle/grid.h): ten times as fast,
  * with bounds as wide (1.9e-15 of the largest value in a damped spin-up of 1000 rows). */
 rot_status rot_axle_linear_fast(const rot_axle_params *p, size_t n, const double time_s[],
                                 const rot_axle_columns *out, const rot_hooks *hooks,

@@ -8,7 +8,7 @@
 #include "scene/axle/forced.h"
 #include "engine/ode/fixed.h"
 #include "scene/axle/inputs.h"
-#include "scene/axle/pace.h"
+#include "scene/axle/time_scales.h"
 #include "scene/axle/runs.h"
 #include "ground/search.h"
 
@@ -221,9 +221,9 @@ static double radau_s(const rot_model *model, const void *scene, const rot_query
 /* ---- models ---------------------------------------------------------------------------------- */
 
 static double fixed_s(const rot_model *model, const void *scene, const rot_query *query) {
-  rot_pace pace;
-  rot_axle_pace_of_start(scene, &pace);
-  return rot_fixed_cost_s(model, query, rot_axle_start_s(scene), &pace);
+  rot_time_scales time_scales;
+  rot_axle_time_scales_of_start(scene, &time_scales);
+  return rot_fixed_cost_s(model, query, rot_axle_start_s(scene), &time_scales);
 }
 
 #define ALL ((1u << ROT_AXLE_EFFECTS) - 1u)
@@ -310,8 +310,8 @@ const rot_constraint rot_axle_constraint = {
     .audit = rot_axle_audit,
     .explain = rot_axle_explain,
     .term_words = rot_axle_term_words,
-    .keeps = rot_axle_keeps,
-    .pace = rot_axle_pace,
+    .conserved = rot_axle_conserved,
+    .time_scales = rot_axle_time_scales,
     .breaks = rot_axle_breaks,
     .shows = rot_axle_shows,
     .reduce = rot_axle_reduce,

@@ -16,11 +16,11 @@ void rot_axle_motor_columns(const rot_axle_scene *scene, size_t n, const rot_axl
 
 void rot_axle_motor_ledger(const rot_axle_scene *scene, rot_axle_ledger *ledger) {
   const double both = scene->linear.viscous_n_m_s;
-  const double share = both != 0.0 ? scene->motor_n_m_s / both : 0.0, rest = 1.0 - share;
-  if (share == 0.0) return;
-  ledger->work_j -= share * ledger->dissipated_j;
-  ledger->work_rounding_j += fabs(share) * ledger->dissipated_rounding_j;
-  ledger->impulse_n_m_s += share * ledger->damping_impulse_n_m_s;
+  const double fraction = both != 0.0 ? scene->motor_n_m_s / both : 0.0, rest = 1.0 - fraction;
+  if (fraction == 0.0) return;
+  ledger->work_j -= fraction * ledger->dissipated_j;
+  ledger->work_rounding_j += fabs(fraction) * ledger->dissipated_rounding_j;
+  ledger->impulse_n_m_s += fraction * ledger->damping_impulse_n_m_s;
   ledger->dissipated_j *= rest;
   ledger->dissipated_rounding_j *= rest;
   ledger->viscous_j *= rest;
@@ -41,10 +41,10 @@ void rot_axle_motor_error(const rot_axle_scene *scene, size_t n, const double ti
   double of_omega = omega->error > 0.0 ? moved * omega->error : 0.0;
   double of_theta = theta->error > 0.0 ? moved * theta->error : 0.0;
   if (c > 0.0 && isfinite(off) && time_s[0] >= p->start_s) {
-    const double share = 3.4 * off / c;
-    of_omega = fmin(of_omega, ROT_EPS * share * omega->largest);
+    const double fraction = 3.4 * off / c;
+    of_omega = fmin(of_omega, ROT_EPS * fraction * omega->largest);
     of_theta =
-        fmin(of_theta, share / 12.0 * theta->error + (of_omega > 0.0 ? I / c * of_omega : 0.0));
+        fmin(of_theta, fraction / 12.0 * theta->error + (of_omega > 0.0 ? I / c * of_omega : 0.0));
   }
   omega->error += of_omega;
   theta->error += of_theta;

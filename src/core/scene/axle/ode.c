@@ -73,7 +73,7 @@ static rot_status axle_rhs(double t, const double y[], double dydt[], void *ctx)
   double torque;
   const rot_status status = applied_now(scene, t, y[TURNED], omega, &torque);
   if (status != ROT_OK) return status;
-  /* The sign is the stretch's, so that a stage beyond the zero sees no kink. */
+  /* The sign is the segment's, so that a stage beyond the zero sees no kink. */
   const double sign = m->mode;
   const double viscous = scene->viscous_n_m_s * omega,
                quadratic = scene->quadratic_n_m_s2 * omega * omega * sign,
@@ -190,13 +190,13 @@ static void note_sizes(const motion *m, size_t n, const double time_s[], const d
   omega->error = error[OMEGA];
   omega->largest = largest[OMEGA];
   if (m->inertia.n == 0) return;
-  double most = 0.0;
+  double max = 0.0;
   omega->largest = fabs(m->scene->linear.omega0_rad_per_s);
   for (size_t i = 0; i < n; i++) {
-    most = fmax(most, omega_of(m, time_s[i], 1.0));
+    max = fmax(max, omega_of(m, time_s[i], 1.0));
     omega->largest = fmax(omega->largest, fabs(omega_of(m, time_s[i], y[i * DIM + OMEGA])));
   }
-  omega->error *= most;
+  omega->error *= max;
 }
 
 /* Each of them errs at both ends. The impulse of the resistance follows from that of the torque. */

@@ -2,7 +2,7 @@
  *
  * With I(t) changing the state is the angular momentum, over the inertia at the start: it is smooth
  * wherever the torques are, and goes on unchanged where I(t) jumps. Friction and quadratic
- * resistance have a kink at rest: each stretch is integrated with the sign of omega fixed, up to
+ * resistance have a kink at rest: each segment is integrated with the sign of omega fixed, up to
  * the zero itself (engine/ode/ode.h). */
 #ifndef ROT_AXLE_ODE_H
 #define ROT_AXLE_ODE_H

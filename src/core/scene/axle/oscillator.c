@@ -12,7 +12,7 @@
  * step from rest at the start of the scene, and added: no knot adds to its error. */
 
 /* exp(-z) has an error of 2^-1074 at least, and its factors are below 2^11 where that counts. */
-static const double least = 0x1p-1060;
+static const double min = 0x1p-1060;
 
 typedef struct wave {
   double amplitude, omega, phase; /* omega >= 0, rad/s */
@@ -141,14 +141,14 @@ static void long_step(const swing *run, const rot_oscillator_step *step, double 
   out->theta = rot_dd_add1(rot_dd_add1(rot_dd_sum2(run->rest, now), swung - lag), thrown);
   out->theta_error = roundings * (fabs(now) + fabs(lag) + fabs(thrown) + step->u_size * fabs(dy)) +
                      step->u_size * dy_error + psi1 * dw_error + step->u_phase * fabs(dy) +
-                     step->psi1_phase * fabs(dw) + least * (1.0 + fabs(dy) + fabs(dw));
+                     step->psi1_phase * fabs(dw) + min * (1.0 + fabs(dy) + fabs(dw));
   out->omega = drift + (step->psi0 * dw - w2 * step->psi1 * dy) / T;
   out->omega_error = roundings * fabs(drift) +
                      (step->psi0_size * (roundings * fabs(dw) + dw_error) +
                       w2 * psi1 * (roundings * fabs(dy) + dy_error) + step->u_phase * fabs(dw) +
-                      w2 * step->psi1_phase * fabs(dy) + least * (1.0 + fabs(dy) + fabs(dw))) /
+                      w2 * step->psi1_phase * fabs(dy) + min * (1.0 + fabs(dy) + fabs(dw))) /
                          T +
-                     least;
+                     min;
 }
 
 /* From the base to t in its piece. */
@@ -224,13 +224,13 @@ static void far_answer(const swing *run, const wave *w, const rot_oscillator_ste
       8.0 * ROT_DD_EPS * w->omega * (fabs(t) + fabs(run->scene->linear.start_s)) +
       8.0 * ROT_DD_EPS * fabs(w->phase);
   sum->theta_error += w->size * (relative * (1.0 + step->u_size + rate * psi1) + step->u_phase +
-                                 rate * step->psi1_phase + least * (1.0 + rate)) +
-                      least;
+                                 rate * step->psi1_phase + min * (1.0 + rate)) +
+                      min;
   sum->omega_error += w->size *
                           (relative * (rate + rate * step->psi0_size + w2 * psi1) +
-                           rate * step->u_phase + w2 * step->psi1_phase + least * (1.0 + rate)) /
+                           rate * step->u_phase + w2 * step->psi1_phase + min * (1.0 + rate)) /
                           T +
-                      least;
+                      min;
 }
 
 static void wave_answer(const swing *run, const wave *w, const rot_oscillator_step *step, double t,
@@ -270,7 +270,7 @@ static void all_waves(const swing *run, const rot_oscillator_step *step, double 
   for (size_t i = 0; i < run->n_waves; i++) wave_answer(run, &run->waves[i], step, t, sum);
 }
 
-/* ---- the march ------------------------------------------------------------------------------ */
+/* ---- time stepping -------------------------------------------------------------------------- */
 
 static void restart(void *model, int forward) {
   swing *run = model;

@@ -239,7 +239,7 @@ static void separatrix_pose(const pendulum *p, rot_dd u, pose *out) {
 }
 
 /* Results below the smallest normal double have an absolute error. */
-static const double least = 0x1p-1070;
+static const double min = 0x1p-1070;
 
 static void state_at(const void *model, double t, rot_axle_point *state) {
   static const rot_dd pi = {0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
@@ -266,8 +266,8 @@ static void state_at(const void *model, double t, rot_axle_point *state) {
   state->omega_rad_per_s = at_t.omega;
   state->theta_error = 2.0 * (at_t.half_phi_error + 2.0 * ROT_EPS * fabs(at_t.half_phi)) +
                        ROT_EPS * fabs(state->theta_rad) +
-                       4.0 * ROT_DD_EPS * (fabs(whole.hi) + fabs(rest)) + least;
-  state->omega_error = at_t.omega_error + least;
+                       4.0 * ROT_DD_EPS * (fabs(whole.hi) + fabs(rest)) + min;
+  state->omega_error = at_t.omega_error + min;
 }
 
 static void restart(void *model, int forward) { ((pendulum *)model)->forward = forward; }

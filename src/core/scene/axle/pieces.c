@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "scene/axle/motor.h"
-#include "engine/march.h"
+#include "engine/stepping.h"
 
 typedef struct run {
   const rot_axle_scene *scene;
@@ -58,11 +58,11 @@ static rot_status write_row(void *data, size_t i) {
 rot_status rot_axle_by_pieces(const rot_axle_scene *scene, const rot_axle_pieces *pieces,
                               void *model, size_t n, const double time_s[],
                               const rot_axle_columns *out, const rot_hooks *hooks, rot_info *info) {
-  static const rot_march march = {restart, holds, next_piece, write_row, NULL};
+  static const rot_stepping stepping = {restart, holds, next_piece, write_row, NULL};
   run r = {scene, pieces, model, time_s, out, info, 1};
   rot_info_clear(info, rot_turning);
   rot_note_state(info, scene->linear.theta0_rad, scene->linear.omega0_rad_per_s);
-  rot_march_rows(&march, &r, scene->linear.start_s, n, time_s, hooks, info);
+  rot_step_rows(&stepping, &r, scene->linear.start_s, n, time_s, hooks, info);
   rot_axle_motor_error(scene, n, time_s, info);
   return info->status;
 }

@@ -96,17 +96,17 @@ rot_status rot_axle_rest_move(rot_axle_rest *rest, double time_s, double time_lo
 
 rot_status rot_axle_rest_decide(rot_axle_rest *rest, double applied, int *leaves) {
   rot_axle_base *base = &rest->base;
-  const double most = rest->scene->static_n_m;
+  const double max = rest->scene->static_n_m;
   const int was_stuck = base->stuck, heading = base->heading;
-  base->stuck = fabs(applied) <= most;
+  base->stuck = fabs(applied) <= max;
   *leaves = base->stuck ? 0 : applied > 0.0 ? 1 : -1;
   if (base->stuck) {
-    if (was_stuck || !(most > 0.0) || heading == 0) return ROT_OK; /* 0: at rest from the start */
+    if (was_stuck || !(max > 0.0) || heading == 0) return ROT_OK; /* 0: at rest from the start */
     return rot_events_add(rest->events, base->time_s, ROT_EVENT_STICK);
   }
   base->settle_s = 0.0;
   base->heading = *leaves;
-  if (most > 0.0 && was_stuck) {
+  if (max > 0.0 && was_stuck) {
     return rot_events_add(rest->events, base->time_s, ROT_EVENT_SLIP);
   }
   if (heading == 0 || *leaves == heading) return ROT_OK;

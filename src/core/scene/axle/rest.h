@@ -4,7 +4,7 @@
  *
  *   |applied| <= tau_s: held;   else it leaves in the torque's direction.
  *
- * A model moves from base to base in legs: one motion, or one hold, inside one piece. */
+ * A model moves from base to base in segments: one motion, or one hold, inside one piece. */
 #ifndef ROT_AXLE_REST_H
 #define ROT_AXLE_REST_H
 

@@ -7,7 +7,7 @@
 #include "scene/axle/linear.h"
 #include "engine/ode/fixed.h"
 #include "scene/axle/ode.h"
-#include "scene/axle/pace.h"
+#include "scene/axle/time_scales.h"
 #include "scene/axle/oscillator.h"
 #include "scene/axle/pendulum.h"
 #include "scene/axle/skater.h"
@@ -101,16 +101,16 @@ static void finish_rows(const rot_axle_built *axle, const rot_task *task, void *
 static void add_rounding(const rot_axle_built *axle, const rot_task *task, rot_info *info) {
   if (!axle->is_train || !task->n) return;
   double error[2];
-  const double least = axle->geared ? axle->gears.least_n_m_s : axle->scene.viscous_n_m_s;
-  rot_axle_train_error(&axle->scene, axle->rounding, least, task->time_s[0],
+  const double min = axle->geared ? axle->gears.min_n_m_s : axle->scene.viscous_n_m_s;
+  rot_axle_train_error(&axle->scene, axle->rounding, min, task->time_s[0],
                        task->time_s[task->n - 1], info->measure[ROT_OMEGA].largest, error);
   for (int i = 0; i < 2; i++) info->measure[i].error += error[i];
 }
 
 static double step_of(const rot_axle_built *axle, const rot_task *task) {
-  rot_pace pace;
-  rot_axle_pace_of_start(axle, &pace);
-  return rot_fixed_task_step_s(task, axle->scene.linear.start_s, &pace);
+  rot_time_scales time_scales;
+  rot_axle_time_scales_of_start(axle, &time_scales);
+  return rot_fixed_task_step_s(task, axle->scene.linear.start_s, &time_scales);
 }
 
 /* By a closed form, or integrated where there is none. */

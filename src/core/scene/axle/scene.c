@@ -89,16 +89,16 @@ void rot_axle_scene_row(const rot_axle_scene *scene, const rot_axle_columns *out
 
 int rot_axle_scene_plain(const rot_axle_scene *scene, const rot_info *info) {
   const rot_torque *torque = &scene->linear.torque;
-  const double most = 1e75;
-  int ok = fabs(scene->linear.inertia_kg_m2) < most && fabs(scene->viscous_n_m_s) < most &&
-           fabs(scene->motor_n_m_s) < most && scene->quadratic_n_m_s2 < most &&
-           scene->static_n_m < most && fabs(torque->before_n_m) < most &&
-           fabs(torque->after_n_m) < most;
-  for (size_t i = 0; i < info->n_measures; i++) ok &= info->measure[i].largest < most;
-  for (size_t i = 0; i < torque->n; i++) ok &= fabs(torque->torque_n_m[i]) < most;
-  for (size_t i = 0; i < scene->n_inertia; i++) ok &= scene->inertia_kg_m2[i] < most;
+  const double max = 1e75;
+  int ok = fabs(scene->linear.inertia_kg_m2) < max && fabs(scene->viscous_n_m_s) < max &&
+           fabs(scene->motor_n_m_s) < max && scene->quadratic_n_m_s2 < max &&
+           scene->static_n_m < max && fabs(torque->before_n_m) < max &&
+           fabs(torque->after_n_m) < max;
+  for (size_t i = 0; i < info->n_measures; i++) ok &= info->measure[i].largest < max;
+  for (size_t i = 0; i < torque->n; i++) ok &= fabs(torque->torque_n_m[i]) < max;
+  for (size_t i = 0; i < scene->n_inertia; i++) ok &= scene->inertia_kg_m2[i] < max;
   for (size_t i = 0; i < scene->n_terms; i++) {
-    for (size_t k = 0; k < scene->terms[i].length; k++) ok &= fabs(scene->terms[i].x[k]) < most;
+    for (size_t k = 0; k < scene->terms[i].length; k++) ok &= fabs(scene->terms[i].x[k]) < max;
   }
   return ok;
 }

@@ -4,9 +4,9 @@
 #include <stdlib.h>
 
 #include "ground/real.h"
-#include "scene/axle/sweep_pass.h"
-#include "ground/share.h"
-#include "ground/wide.h"
+#include "scene/axle/sweep_kernel.h"
+#include "ground/parallel.h"
+#include "ground/simd.h"
 
 /* Rows between two polls: some milliseconds. */
 enum { LINEAR_PART = 2048, SCENE_PART = 16 };
@@ -30,12 +30,12 @@ enum { BLOCK = ROT_AXLE_SWEEP_BLOCK };
 
 static void pass_pieces(const linear_frame *frame, block *x) {
   const rot_torque_piece *piece = frame->pieces;
-  const int wide = rot_wide_ok();
+  const int simd = rot_simd_ok();
   double start_n_m = frame->start_n_m, last = x->end_s[0];
   for (size_t i = 1; i < BLOCK; i++) last = larger(last, x->end_s[i]);
   for (;; piece++, start_n_m = piece->start_n_m) {
-    if (wide)
-      rot_axle_sweep_pass_wide(x, piece, start_n_m);
+    if (simd)
+      rot_axle_sweep_pass_simd(x, piece, start_n_m);
     else
       pass_block(x, piece, start_n_m);
     if (last <= piece->end_s) return;
@@ -69,7 +69,7 @@ static void put_row(const rot_axle_sweep_columns *out, size_t i, const block *x,
   out->status[i] = (int)status;
 }
 
-/* A turn inside the piece, as in scene/axle/sweep_pass.h, for any numbers. */
+/* A turn inside the piece, as in scene/axle/sweep_kernel.h, for any numbers. */
 static void step_turn(block *x, size_t l, const rot_axle_params *p, const rot_axle_state *from,
                       const rot_axle_state *to, const rot_torque_piece *piece) {
   const double a = rot_torque_in_piece(piece, from->time_s);
@@ -182,7 +182,7 @@ rot_status rot_axle_sweep_linear(const rot_torque *torque, const rot_axle_sweep_
   }
   frame.start_n_m = rot_torque_in_piece(&pieces[0], rows->start_s);
   const rot_status status =
-      rot_share_rows(linear_rows, &frame, rows->n, LINEAR_PART, threads, hooks, info);
+      rot_parallel_rows(linear_rows, &frame, rows->n, LINEAR_PART, threads, hooks, info);
   free(pieces);
   return status;
 }
@@ -258,5 +258,5 @@ rot_status rot_axle_sweep_scenes(rot_axle_model model, const rot_axle_scene *sce
                                  int threads, const rot_axle_sweep_columns *out,
                                  const rot_hooks *hooks, rot_info *info) {
   const scene_frame frame = {model, scene, rows, friction, out, true_maximum};
-  return rot_share_rows(scene_rows, &frame, rows->n, SCENE_PART, threads, hooks, info);
+  return rot_parallel_rows(scene_rows, &frame, rows->n, SCENE_PART, threads, hooks, info);
 }

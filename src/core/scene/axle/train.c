@@ -7,10 +7,10 @@
 #include "ground/exact.h"
 
 /* Sums and products are of a wider type, as R has them. */
-typedef long double wide;
+typedef long double simd;
 
 static double sum_of(size_t n, const double x[]) {
-  wide sum = 0.0L;
+  simd sum = 0.0L;
   for (size_t i = 0; i < n; i++) sum += x[i];
   return (double)sum;
 }
@@ -24,7 +24,7 @@ rot_status rot_axle_train_reflect(size_t n, const double ratio[], const double i
   double *inertia = rot_store_get(store, n, sizeof *inertia);
   double *viscous = rot_store_get(store, n, sizeof *viscous);
   double *torque = rot_store_get(store, n, sizeof *torque);
-  wide product = 1.0L;
+  simd product = 1.0L;
   if (!first || !inertia || !viscous || !torque) return ROT_ENOMEM;
   for (size_t i = 0; i < n; i++) {
     if (i) product *= ratio[i - 1];
@@ -48,7 +48,7 @@ static void mesh_gains(size_t n, const double own[], const double efficiency[], 
     gain[i + 1] = taken > 0.0 ? 1.0 / efficiency[i] : efficiency[i];
     taken = own[i] + gain[i + 1] * taken;
   }
-  wide product = gain[0] = 1.0;
+  simd product = gain[0] = 1.0;
   for (size_t i = 1; i < n; i++) gain[i] = (double)(product *= gain[i]);
 }
 
@@ -79,7 +79,7 @@ static line line_at(const side *at, double w) {
   line to = {.w = w};
   to.a = (force - sum_of(n, t->viscous_n_m_s) * w) / sum_of(n, t->inertia_kg_m2);
   for (size_t turn = 0; turn < 10 + 4 * n; turn++) {
-    wide inertia = 0.0L, start = 0.0L, slope = 0.0L;
+    simd inertia = 0.0L, start = 0.0L, slope = 0.0L;
     for (size_t i = 0; i < n; i++) {
       at->own[i] =
           t->inertia_kg_m2[i] * to.a - at->sign * t->torque_n_m[i] + t->viscous_n_m_s[i] * w;
@@ -101,7 +101,7 @@ static line line_at(const side *at, double w) {
 
 /* ---- where power flows change ---------------------------------------------------------------- */
 
-enum { MOST_BENDS = 4096 }; /* recursions on the way to one, as well */
+enum { MAX_BENDS = 4096 }; /* recursions on the way to one, as well */
 
 typedef struct bends {
   size_t count;
@@ -109,7 +109,7 @@ typedef struct bends {
 } bends;
 
 static rot_status add_bend(bends *b, double w) {
-  if (b->count == MOST_BENDS) return ROT_ESTEP;
+  if (b->count == MAX_BENDS) return ROT_ESTEP;
   b->w[b->count++] = w;
   return ROT_OK;
 }
@@ -131,27 +131,27 @@ static rot_status find_bends(const side *at, const line *left, const line *right
       below <= 8.0 * DBL_EPSILON * (fabs(left->start) + fabs(left->slope * w))) {
     return add_bend(b, w);
   }
-  if (depth == MOST_BENDS) return ROT_ESTEP;
+  if (depth == MAX_BENDS) return ROT_ESTEP;
   const rot_status status = find_bends(at, left, &here, depth + 1, b);
   return status == ROT_OK ? find_bends(at, &here, right, depth + 1, b) : status;
 }
 
 /* From rest: the acceleration, the slope at high rates, the least resistance. */
 typedef struct from_rest {
-  double a, last, least;
+  double a, last, min;
   bends bends;
 } from_rest;
 
 static rot_status look_ahead(const side *at, rot_store *store, from_rest *to) {
   const rot_axle_train *t = at->train;
   side still = *at;
-  wide gain = 1.0L, force = 0.0L;
+  simd gain = 1.0L, force = 0.0L;
   still.sign = 0.0;
-  to->bends = (bends){0, rot_store_get(store, MOST_BENDS, sizeof(double))};
+  to->bends = (bends){0, rot_store_get(store, MAX_BENDS, sizeof(double))};
   if (!to->bends.w) return ROT_ENOMEM;
   to->a = line_at(at, 0.0).a;
   to->last = line_at(&still, 1.0).slope;
-  to->least = fabs(to->last);
+  to->min = fabs(to->last);
   for (size_t i = 0; i < t->n; i++) {
     force += fabs(t->torque_n_m[i]);
     if (i + 1 < t->n) gain *= t->efficiency[i];
@@ -168,7 +168,7 @@ static rot_status look_ahead(const side *at, rot_store *store, from_rest *to) {
   }
   /* Just above rest a mesh without power at rest has its direction. */
   const line beside = line_at(at, near);
-  to->least = fabs(beside.slope);
+  to->min = fabs(beside.slope);
   if (!(far > 0.0 && isfinite(far))) return ROT_OK;
   return find_bends(at, &beside, &outer, 0, &to->bends);
 }
@@ -180,7 +180,7 @@ static rot_status look_ahead(const side *at, rot_store *store, from_rest *to) {
 static void set_rounding(const rot_axle_train *t, int lossy, double alpha,
                          rot_axle_train_law *law) {
   const double count = DBL_EPSILON / 2.0 * (3.0 * (double)t->n + 3.0);
-  wide product = 1.0L, whole = 0.0L, felt = 0.0L, torque = 0.0L, viscous = 0.0L, sum = 0.0L;
+  simd product = 1.0L, whole = 0.0L, felt = 0.0L, torque = 0.0L, viscous = 0.0L, sum = 0.0L;
   for (size_t i = 0; i < t->n; i++) {
     if (i) product *= 1.0 / t->efficiency[i - 1];
     const double gain = (double)product;
@@ -190,9 +190,9 @@ static void set_rounding(const rot_axle_train *t, int lossy, double alpha,
     viscous += gain * t->viscous_n_m_s[i];
     sum += t->torque_n_m[i];
   }
-  const double share = lossy ? (double)whole / (double)felt : 1.0;
-  law->rounding[0] = count * share * ((double)torque + (lossy ? 0.0 : fabs((double)sum)));
-  law->rounding[1] = count * share * (double)viscous;
+  const double fraction = lossy ? (double)whole / (double)felt : 1.0;
+  law->rounding[0] = count * fraction * ((double)torque + (lossy ? 0.0 : fabs((double)sum)));
+  law->rounding[1] = count * fraction * (double)viscous;
 }
 
 /* The points of a side's bends, outward: torques beside that at rest. */
@@ -219,7 +219,7 @@ rot_status rot_axle_train_law_of(const rot_axle_train *t, rot_store *store,
                                  rot_axle_train_law *law) {
   const double applied = neumaier(t->n, t->torque_n_m);
   const double bearings = sum_of(t->n, t->viscous_n_m_s);
-  wide torques = 0.0L;
+  simd torques = 0.0L;
   memset(law, 0, sizeof *law);
   law->inertia_kg_m2 = sum_of(t->n, t->inertia_kg_m2);
   for (size_t i = 0; i + 1 < t->n; i++) law->lossy |= t->efficiency[i] < 1.0;
@@ -259,13 +259,13 @@ rot_status rot_axle_train_law_of(const rot_axle_train *t, rot_store *store,
                        .forward_n_m = fmax(applied - (law->torque_n_m - law->dry_n_m), 0.0),
                        .backward_n_m = fmax((law->torque_n_m + law->dry_n_m) - applied, 0.0),
                        .bearings_n_m_s = bearings,
-                       .least_n_m_s = inertia * fmin(up.least, down.least)};
+                       .min_n_m_s = inertia * fmin(up.min, down.min)};
   return ROT_OK;
 }
 
 /* A torque E changes omega by at most E min(t/I, 1/c), backwards in time by E (exp(c t/I) - 1)/c:
  * resistance that does not fall with the speed brings two motions together. */
-void rot_axle_train_error(const rot_axle_scene *scene, const double rounding[2], double least_n_m_s,
+void rot_axle_train_error(const rot_axle_scene *scene, const double rounding[2], double min_n_m_s,
                           double first_s, double last_s, double fastest, double error[2]) {
   const double inertia = scene->linear.inertia_kg_m2, viscous = scene->viscous_n_m_s;
   const double start = scene->linear.start_s, back = fmax(start - first_s, 0.0);
@@ -276,8 +276,8 @@ void rot_axle_train_error(const rot_axle_scene *scene, const double rounding[2],
   if (!(fastest > 0.0)) return; /* at rest, held or without a torque */
   if (viscous > 0.0 && back > 0.0) {
     lag = fmax(lag, expm1(viscous * back / inertia) / viscous);
-  } else if (least_n_m_s > 0.0) {
-    lag = fmin(lag, 1.0 / least_n_m_s);
+  } else if (min_n_m_s > 0.0) {
+    lag = fmin(lag, 1.0 / min_n_m_s);
   }
   error[ROT_THETA] = off * span * (back > 0.0 ? lag : fmin(span / inertia / 2.0, lag));
   error[ROT_OMEGA] = off * lag;

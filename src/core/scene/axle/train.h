@@ -43,7 +43,7 @@ rot_status rot_axle_train_law_of(const rot_axle_train *train, rot_store *store,
 
 /* What such a rounding changes at most, in angle and rate, between two times and up to the fastest
  * rate; `least`: the least resistance. */
-void rot_axle_train_error(const rot_axle_scene *scene, const double rounding[2], double least_n_m_s,
+void rot_axle_train_error(const rot_axle_scene *scene, const double rounding[2], double min_n_m_s,
                           double first_s, double last_s, double fastest, double error[2]);
 
 /* The torque of each shaft as the first feels it in steady forward rotation. */

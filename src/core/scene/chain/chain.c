@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "engine/march.h"
+#include "engine/stepping.h"
 #include "engine/ode/system.h"
 #include "engine/resistance.h"
 #include "ground/real.h"
@@ -12,7 +12,7 @@
 
 typedef struct chain {
   rot_links links;
-  double mass_kg[ROT_LINKS_MOST], theta0_rad[ROT_LINKS_MOST], omega0_rad_per_s[ROT_LINKS_MOST];
+  double mass_kg[ROT_LINKS_MAX], theta0_rad[ROT_LINKS_MAX], omega0_rad_per_s[ROT_LINKS_MAX];
   double start_s;
   rot_links_modes modes;
 } chain;
@@ -80,8 +80,8 @@ static rot_status build(const rot_given given[], rot_store *store, void *to, rot
   rot_links *links = &c->links;
   const size_t n = given[LENGTH].n;
   memset(c, 0, sizeof *c);
-  if (n < 1 || n > ROT_LINKS_MOST) {
-    return rot_refuse(no, LENGTH, "must have 1 to %d numbers; it has %zu", ROT_LINKS_MOST, n);
+  if (n < 1 || n > ROT_LINKS_MAX) {
+    return rot_refuse(no, LENGTH, "must have 1 to %d numbers; it has %zu", ROT_LINKS_MAX, n);
   }
   links->n = n;
   links->rods = given[LINKS].option == 0;
@@ -107,7 +107,7 @@ static rot_status build(const rot_given given[], rot_store *store, void *to, rot
   return ROT_OK;
 }
 
-static size_t copies(const void *scene) { return ((const chain *)scene)->links.n; }
+static size_t rows_per_time(const void *scene) { return ((const chain *)scene)->links.n; }
 
 /* ---- equations ------------------------------------------------------------------------------- */
 
@@ -124,8 +124,8 @@ static void slopes(const void *scene, const rot_system_state *at, double acceler
     double sine, cosine;
     rot_links_sine(at->q[i], at->q_low[i], &sine, &cosine);
     pull += rot_links_weight(c, i) * sine;
-    const double apart = at->v[i] - (i ? at->v[i - 1] : 0.0);
-    heat += c->joint_n_m_s[i] * apart * apart;
+    const double difference = at->v[i] - (i ? at->v[i - 1] : 0.0);
+    heat += c->joint_n_m_s[i] * difference * difference;
   }
   flow[HEAT] = heat;
   flow[IMPULSE] = rot_links_joint(c, at->v, 0) - c->total_kg * c->gravity_m_per_s2 * pull;
@@ -221,7 +221,7 @@ static int rubs(const chain *c) {
   return any;
 }
 
-static size_t keeps(const void *scene, size_t balance, const char *why[]) {
+static size_t conserved(const void *scene, size_t balance, const char *why[]) {
   const chain *c = scene;
   const int heavy = c->links.gravity_m_per_s2 != 0.0;
   if (balance == ENERGY) {
@@ -235,7 +235,7 @@ static size_t keeps(const void *scene, size_t balance, const char *why[]) {
 }
 
 /* Rates of decay sum to the trace of M^-1 C. */
-static void pace(const void *scene, const double sizes[], rot_pace *to) {
+static void time_scales(const void *scene, const double sizes[], rot_time_scales *to) {
   const chain *c = scene;
   const size_t n = c->links.n;
   const double *inverse = c->modes.inverse;
@@ -271,14 +271,14 @@ static rot_system_start start(const void *scene) {
   double leans = 0.0;
   for (size_t i = 0; i < n; i++) leans = fmax(leans, fabs(sin(c->theta0_rad[i])));
   return (rot_system_start){.n = n,
-                            .copies = n,
+                            .rows_per_time = n,
                             .q = c->theta0_rad,
                             .v = c->omega0_rad_per_s,
                             .start_s = c->start_s,
                             .rounding = c->links.gravity_m_per_s2 * fastest * fastest * leans};
 }
 
-static const rot_system of_links = {FLOWS, start, slopes, row, pace};
+static const rot_system of_links = {FLOWS, start, slopes, row, time_scales};
 ROT_SYSTEM_RUNS(of_links)
 
 /* ---- small amplitudes ------------------------------------------------------------------------ */
@@ -308,19 +308,19 @@ static double modes_bound(const rot_model *model, const void *scene, const rot_q
   const rot_links_bound off =
       rot_links_linear_bound(links, &c->modes, c->theta0_rad, c->omega0_rad_per_s, t);
   if (isinf(off.theta)) return INFINITY;
-  double most[2] = {0.0, 0.0};
+  double max[2] = {0.0, 0.0};
   rot_links_swing swing;
   rot_links_swing_start(links, &c->modes, c->theta0_rad, c->omega0_rad_per_s, &swing);
   for (int k = 0; k <= LOOKS; k++) {
-    double theta[ROT_LINKS_MOST], omega[ROT_LINKS_MOST], at = c->start_s;
+    double theta[ROT_LINKS_MAX], omega[ROT_LINKS_MAX], at = c->start_s;
     if (k && query->n) at = query->time_s[(size_t)(k - 1) * (query->n - 1) / (LOOKS - 1)];
     rot_links_swing_at(links, &c->modes, &swing, at - c->start_s, theta, omega, NULL);
     for (size_t i = 0; i < n; i++) {
-      most[0] = fmax(most[0], fabs(theta[i]));
-      most[1] = fmax(most[1], fabs(omega[i]));
+      max[0] = fmax(max[0], fabs(theta[i]));
+      max[1] = fmax(max[1], fabs(omega[i]));
     }
   }
-  return fmax(rot_relative_error(off.theta, most[0]), rot_relative_error(off.omega, most[1]));
+  return fmax(rot_relative_error(off.theta, max[0]), rot_relative_error(off.omega, max[1]));
 }
 
 typedef struct modes_run {
@@ -332,10 +332,10 @@ typedef struct modes_run {
 } modes_run;
 
 static rot_status modes_row(void *model, size_t i) {
-  static const double none[ROT_LINKS_MOST] = {0.0};
+  static const double none[ROT_LINKS_MAX] = {0.0};
   const modes_run *run = model;
   const rot_links *links = &run->c->links;
-  double theta[ROT_LINKS_MOST], omega[ROT_LINKS_MOST], sum;
+  double theta[ROT_LINKS_MAX], omega[ROT_LINKS_MAX], sum;
   rot_links_swing_at(links, &run->c->modes, &run->swing, run->time_s[i] - run->c->start_s, theta,
                      omega, &sum);
   const rot_system_state state = {theta, none, omega, 0};
@@ -350,7 +350,7 @@ static rot_status modes_row(void *model, size_t i) {
 
 static rot_status swing_rows(const void *scene, const rot_task *task, rot_method method,
                              const rot_rows *rows, const rot_hooks *hooks, rot_info *info) {
-  static const rot_march march = {.write_row = modes_row};
+  static const rot_stepping stepping = {.write_row = modes_row};
   const chain *c = scene;
   modes_run run = {.c = c, .time_s = task->time_s, .rows = rows, .info = info};
   (void)method;
@@ -359,7 +359,7 @@ static rot_status swing_rows(const void *scene, const rot_task *task, rot_method
     rot_note_state(info, c->theta0_rad[k], c->omega0_rad_per_s[k]);
   }
   const rot_status status =
-      rot_march_rows(&march, &run, c->start_s, task->n, task->time_s, hooks, info);
+      rot_step_rows(&stepping, &run, c->start_s, task->n, task->time_s, hooks, info);
   const rot_links_bound off = rot_links_linear_bound(
       &c->links, &c->modes, c->theta0_rad, c->omega0_rad_per_s, farthest(c, task->n, task->time_s));
   info->measure[ROT_THETA].error = off.theta;
@@ -381,7 +381,7 @@ rot_status rot_chain_modes(const double length[], const double mass[], size_t n,
                            double gravity, double omega_rad_per_s[], double shape[]) {
   rot_links links = {.n = n, .rods = rods};
   rot_links_modes modes;
-  if (n < 1 || n > ROT_LINKS_MOST || !(gravity >= 0.0 && gravity < INFINITY)) return ROT_EVALUE;
+  if (n < 1 || n > ROT_LINKS_MAX || !(gravity >= 0.0 && gravity < INFINITY)) return ROT_EVALUE;
   for (size_t i = 0; i < n; i++) {
     if (!(length[i] > 0.0 && length[i] < INFINITY && mass[i] > 0.0)) return ROT_EVALUE;
     links.length_m[i] = length[i];
@@ -390,15 +390,15 @@ rot_status rot_chain_modes(const double length[], const double mass[], size_t n,
   const rot_status status = rot_links_modes_build(&links, &modes);
   if (status != ROT_OK) return status;
   for (size_t j = 0; j < n; j++) {
-    double most = 0.0;
+    double max = 0.0;
     omega_rad_per_s[j] = sqrt(gravity) * modes.rate[j];
     if (!isfinite(omega_rad_per_s[j])) return ROT_ERANGE;
     for (size_t i = 0; i < n; i++) {
       const double angle = modes.shape[i * n + j] / modes.root[i];
-      if (fabs(angle) > fabs(most)) most = angle;
+      if (fabs(angle) > fabs(max)) max = angle;
     }
     for (size_t i = 0; i < n; i++) {
-      shape[i * n + j] = modes.shape[i * n + j] / modes.root[i] / most;
+      shape[i * n + j] = modes.shape[i * n + j] / modes.root[i] / max;
     }
   }
   return ROT_OK;
@@ -418,5 +418,6 @@ static const rot_model models[] = {{"chain_modes",
                                    ROT_SYSTEM_MODELS("chain_", ALL)};
 static const rot_model_run runs[] = {{ROT_METHOD_NONE, swing_rows}, ROT_SYSTEM_METHODS};
 
-const rot_constraint rot_chain_constraint = {
-    ROT_CONSTRAINT(chain, rot_turning), .bound = modes_bound, .index = "link", .copies = copies};
+const rot_constraint rot_chain_constraint = {ROT_CONSTRAINT(chain, rot_turning),
+                                             .bound = modes_bound, .index = "link",
+                                             .rows_per_time = rows_per_time};

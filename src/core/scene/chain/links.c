@@ -10,10 +10,10 @@ int rot_links_masses(rot_links *c, const double mass_kg[]) {
   int normal = 1;
   for (size_t i = 0; i < c->n; i++) total += mass_kg[i];
   for (size_t i = c->n; i-- > 0;) {
-    c->share[i] = mass_kg[i] / total;
+    c->fraction[i] = mass_kg[i] / total;
     c->below[i] = below;
-    below += c->share[i];
-    normal = normal && c->share[i] >= DBL_MIN / ROT_EPS;
+    below += c->fraction[i];
+    normal = normal && c->fraction[i] >= DBL_MIN / ROT_EPS;
   }
   c->total_kg = total;
   return normal && total < INFINITY;
@@ -22,11 +22,11 @@ int rot_links_masses(rot_links *c, const double mass_kg[]) {
 double rot_links_inertia(const rot_links *c, size_t i, size_t j) {
   const size_t lower = i > j ? i : j;
   const double part = i == j ? rot_links_second(c) : rot_links_first(c);
-  return c->length_m[i] * (c->length_m[j] * (part * c->share[lower] + c->below[lower]));
+  return c->length_m[i] * (c->length_m[j] * (part * c->fraction[lower] + c->below[lower]));
 }
 
 double rot_links_weight(const rot_links *c, size_t i) {
-  return c->length_m[i] * (rot_links_first(c) * c->share[i] + c->below[i]);
+  return c->length_m[i] * (rot_links_first(c) * c->fraction[i] + c->below[i]);
 }
 
 double rot_links_joint(const rot_links *c, const double omega[], size_t i) {
@@ -62,16 +62,16 @@ void rot_links_accelerations(const rot_links *c, const double theta[], const dou
   const double f = rot_links_first(c), h = rot_links_second(c);
   /* h - f^2 and 1 + h - 2 f, exactly 0 of points. */
   const double spread = c->rods ? 1.0 / 12.0 : 0.0, across = c->rods ? 1.0 / 3.0 : 0.0;
-  double sine[ROT_LINKS_MOST], cosine[ROT_LINKS_MOST]; /* between a link and the one above */
-  double d[ROT_LINKS_MOST], et[ROT_LINKS_MOST], free[ROT_LINKS_MOST];
+  double sine[ROT_LINKS_MAX], cosine[ROT_LINKS_MAX]; /* between a link and the one above */
+  double d[ROT_LINKS_MAX], et[ROT_LINKS_MAX], free[ROT_LINKS_MAX];
   articulated p = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
   double below = 0.0; /* torque of the joint at the lower end, on the link below */
   for (size_t k = n; k-- > 0;) {
     if (k + 1 < n) p = turned(&p, sine[k + 1], cosine[k + 1]);
     double lo = 0.0;
-    const double apart = k ? rot_two_sum(theta[k], -theta[k - 1], &lo) : theta[0];
-    rot_links_sine(apart, lo + (low[k] - (k ? low[k - 1] : 0.0)), &sine[k], &cosine[k]);
-    const double m = c->share[k], l = c->length_m[k], spin = l * omega[k] * omega[k];
+    const double difference = k ? rot_two_sum(theta[k], -theta[k - 1], &lo) : theta[0];
+    rot_links_sine(difference, lo + (low[k] - (k ? low[k - 1] : 0.0)), &sine[k], &cosine[k]);
+    const double m = c->fraction[k], l = c->length_m[k], spin = l * omega[k] * omega[k];
     const double above = rot_links_joint(c, omega, k);
     const double pull = (above - below) / c->total_kg / l;
     const double q = spread * m + across * p.tt; /* over m */
@@ -96,7 +96,7 @@ void rot_links_accelerations(const rot_links *c, const double theta[], const dou
   double e = -c->gravity_m_per_s2 * cosine[0], t = c->gravity_m_per_s2 * sine[0];
   for (size_t k = 0; k < n; k++) {
     const double l = c->length_m[k];
-    const double end = free[k] - (et[k] * e + (f - h) * c->share[k] * t) / d[k];
+    const double end = free[k] - (et[k] * e + (f - h) * c->fraction[k] * t) / d[k];
     acceleration[k] = (end - t) / l;
     const double along = e - l * omega[k] * omega[k];
     if (k + 1 == n) break;

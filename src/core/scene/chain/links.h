@@ -13,16 +13,16 @@
 
 #include <stddef.h>
 
-enum { ROT_LINKS_MOST = 16 };
+enum { ROT_LINKS_MAX = 16 };
 
 typedef struct rot_links {
   size_t n;
   int rods;
-  double length_m[ROT_LINKS_MOST];
+  double length_m[ROT_LINKS_MAX];
   double total_kg;
-  double share[ROT_LINKS_MOST];       /* of each mass in the total */
-  double below[ROT_LINKS_MOST];       /* M_i, likewise */
-  double joint_n_m_s[ROT_LINKS_MOST]; /* at the upper end */
+  double fraction[ROT_LINKS_MAX];    /* of each mass in the total */
+  double below[ROT_LINKS_MAX];       /* M_i, likewise */
+  double joint_n_m_s[ROT_LINKS_MAX]; /* at the upper end */
   double gravity_m_per_s2;
 } rot_links;
 

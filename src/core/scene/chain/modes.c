@@ -7,20 +7,20 @@
 #include "maths/eigen.h"
 
 /* Half the largest swing for which the bound holds: sin(A/2). */
-#define MOST_SINE 0.25
+#define MAX_SINE 0.25
 
 rot_status rot_links_modes_build(const rot_links *c, rot_links_modes *to) {
   const size_t n = c->n, rows = c->rods ? 2 * n : n;
-  double g[2 * ROT_LINKS_MOST * ROT_LINKS_MOST] = {0.0}, period[ROT_LINKS_MOST];
-  double u[ROT_LINKS_MOST * ROT_LINKS_MOST];
+  double g[2 * ROT_LINKS_MAX * ROT_LINKS_MAX] = {0.0}, period[ROT_LINKS_MAX];
+  double u[ROT_LINKS_MAX * ROT_LINKS_MAX];
   /* Velocities of the ends, or of the centres and of the ends against them. */
   for (size_t j = 0; j < n; j++) {
     to->root[j] = sqrt(c->length_m[j]) * sqrt(rot_links_weight(c, j) / c->length_m[j]);
     const double by = sqrt(c->length_m[j]) / sqrt(rot_links_weight(c, j) / c->length_m[j]);
     for (size_t k = j; k < n; k++) {
-      g[k * n + j] = sqrt(c->share[k]) * by * (k == j ? rot_links_first(c) : 1.0);
+      g[k * n + j] = sqrt(c->fraction[k]) * by * (k == j ? rot_links_first(c) : 1.0);
     }
-    if (c->rods) g[(n + j) * n + j] = sqrt(c->share[j] / 12.0) * by;
+    if (c->rods) g[(n + j) * n + j] = sqrt(c->fraction[j] / 12.0) * by;
   }
   rot_status status = rot_eigen_singular(rows, n, g, period, u, NULL);
   if (status != ROT_OK) return status == ROT_EVALUE ? ROT_ERANGE : status;
@@ -46,12 +46,12 @@ rot_status rot_links_modes_build(const rot_links *c, rot_links_modes *to) {
 void rot_links_swing_start(const rot_links *c, const rot_links_modes *m, const double theta[],
                            const double omega[], rot_links_swing *to) {
   const size_t n = c->n;
-  const double pace = sqrt(c->gravity_m_per_s2);
+  const double time_scales = sqrt(c->gravity_m_per_s2);
   for (size_t j = 0; j < n; j++) {
     to->eta[j] = to->beside[j] = 0.0;
     for (size_t i = 0; i < n; i++) {
       to->eta[j] += m->shape[i * n + j] * (m->root[i] * theta[i]);
-      to->beside[j] += m->shape[i * n + j] * (m->root[i] * (omega[i] / (pace * m->rate[j])));
+      to->beside[j] += m->shape[i * n + j] * (m->root[i] * (omega[i] / (time_scales * m->rate[j])));
     }
   }
 }
@@ -59,11 +59,11 @@ void rot_links_swing_start(const rot_links *c, const rot_links_modes *m, const d
 void rot_links_swing_at(const rot_links *c, const rot_links_modes *m, const rot_links_swing *swing,
                         double time_s, double theta[], double omega[], double *sum) {
   const size_t n = c->n;
-  const double pace = sqrt(c->gravity_m_per_s2);
-  double along[ROT_LINKS_MOST];
+  const double time_scales = sqrt(c->gravity_m_per_s2);
+  double along[ROT_LINKS_MAX];
   for (size_t i = 0; i < n; i++) theta[i] = omega[i] = along[i] = 0.0;
   for (size_t j = 0; j < n; j++) {
-    const double rate = pace * m->rate[j], phase = rate * time_s;
+    const double rate = time_scales * m->rate[j], phase = rate * time_s;
     const double cosine = cos(phase), sine = sin(phase), half = sin(0.5 * phase);
     const double eta = swing->eta[j] * cosine + swing->beside[j] * sine;
     const double turn = rate * (swing->beside[j] * cosine - swing->eta[j] * sine);
@@ -87,11 +87,11 @@ void rot_links_swing_at(const rot_links *c, const rot_links_modes *m, const rot_
 /* sqrt(2 (kinetic + potential energy)) of a state, and no less; without squares that underflow. */
 static double energy_norm(const rot_links *c, const rot_links_modes *m, const double theta[],
                           const double omega[]) {
-  const double pace = sqrt(c->gravity_m_per_s2);
+  const double time_scales = sqrt(c->gravity_m_per_s2);
   double norm = 0.0, x = 0.0, y = 0.0;
   for (size_t i = 0; i < c->n; i++) {
-    const double v = c->length_m[i] * (omega[i] / pace), f = rot_links_first(c);
-    const double dx = v * cos(theta[i]), dy = v * sin(theta[i]), mass = sqrt(c->share[i]);
+    const double v = c->length_m[i] * (omega[i] / time_scales), f = rot_links_first(c);
+    const double dx = v * cos(theta[i]), dy = v * sin(theta[i]), mass = sqrt(c->fraction[i]);
     norm = hypot(norm, 2.0 * m->root[i] * sin(0.5 * theta[i]));
     norm = hypot(norm, mass * hypot(x + f * dx, y + f * dy));
     if (c->rods) norm = hypot(norm, mass * v * sqrt(1.0 / 12.0));
@@ -102,14 +102,14 @@ static double energy_norm(const rot_links *c, const rot_links_modes *m, const do
 }
 
 /* Largest sqrt(x' M^-1 x) of vectors with |x_i| <= most_i. */
-static double force_norm(const rot_links *c, const rot_links_modes *m, const double most[]) {
+static double force_norm(const rot_links *c, const rot_links_modes *m, const double max[]) {
   const size_t n = c->n;
   double size = 0.0, sum = 0.0;
-  for (size_t i = 0; i < n; i++) size = fmax(size, most[i] * sqrt(m->inverse[i * n + i]));
+  for (size_t i = 0; i < n; i++) size = fmax(size, max[i] * sqrt(m->inverse[i * n + i]));
   if (!(size > 0.0)) return size;
   for (size_t i = 0; i < n; i++) {
     for (size_t j = 0; j < n; j++) {
-      sum += fabs(m->inverse[i * n + j]) * (most[i] / size) * (most[j] / size);
+      sum += fabs(m->inverse[i * n + j]) * (max[i] / size) * (max[j] / size);
     }
   }
   return size * sqrt(sum);
@@ -125,22 +125,22 @@ static double force_norm(const rot_links *c, const rot_links_modes *m, const dou
 rot_links_bound rot_links_linear_bound(const rot_links *c, const rot_links_modes *m,
                                        const double theta[], const double omega[], double time_s) {
   const size_t n = c->n;
-  const double pace = sqrt(c->gravity_m_per_s2), time = pace * fabs(time_s);
+  const double time_scales = sqrt(c->gravity_m_per_s2), time = time_scales * fabs(time_s);
   const double size = energy_norm(c, m, theta, omega), fastest = m->rate[n - 1];
-  double swing[ROT_LINKS_MOST], turn[ROT_LINKS_MOST];
-  double bends[ROT_LINKS_MOST] = {0.0}, rest[ROT_LINKS_MOST] = {0.0};
-  double least = INFINITY, most = 0.0, trace = 0.0;
+  double swing[ROT_LINKS_MAX], turn[ROT_LINKS_MAX];
+  double bends[ROT_LINKS_MAX] = {0.0}, rest[ROT_LINKS_MAX] = {0.0};
+  double min = INFINITY, max = 0.0, trace = 0.0;
   for (size_t i = 0; i < n; i++) {
-    if (!(size <= 2.0 * MOST_SINE * m->root[i]) || fabs(theta[i]) > 1.0) {
+    if (!(size <= 2.0 * MAX_SINE * m->root[i]) || fabs(theta[i]) > 1.0) {
       return (rot_links_bound){INFINITY, INFINITY, INFINITY};
     }
     swing[i] = 2.0 * asin(0.5 * size / m->root[i]);
     turn[i] = size * sqrt(m->inverse[i * n + i]) / cos(swing[i]);
-    most = fmax(most, swing[i]);
-    least = fmin(least, m->root[i]);
+    max = fmax(max, swing[i]);
+    min = fmin(min, m->root[i]);
     trace += m->inverse[i * n + i];
   }
-  const double cosine = cos(most);
+  const double cosine = cos(max);
   for (size_t i = 0; i < n; i++) {
     bends[i] = 0.0; /* |C_i| */
     for (size_t j = 0; j < n; j++) {
@@ -153,13 +153,13 @@ rot_links_bound rot_links_linear_bound(const rot_links *c, const rot_links_modes
   for (size_t i = 0; i < n; i++) {
     rest[i] = bends[i];
     for (size_t j = 0; j < n; j++) {
-      const double apart = swing[i] + swing[j];
+      const double difference = swing[i] + swing[j];
       const double faster = sqrt(m->inverse[j * n + j]) * force / cos(swing[j]);
-      if (j != i) rest[i] += rot_links_inertia(c, i, j) * (0.5 * apart * apart) * faster;
+      if (j != i) rest[i] += rot_links_inertia(c, i, j) * (0.5 * difference * difference) * faster;
     }
   }
-  const double part = most > 0.0 ? 0.5 * most / sin(0.5 * most) : 1.0;
-  const double left = force_norm(c, m, rest) + fastest * (most * most / 6.0) * part * size;
+  const double part = max > 0.0 ? 0.5 * max / sin(0.5 * max) : 1.0;
+  const double left = force_norm(c, m, rest) + fastest * (max * max / 6.0) * part * size;
   const double rounding = 8.0 * ROT_EPS * (double)(n + 2) * (2.0 + fastest * time) * size;
   const double error = 1.0000001 * (time * left) + rounding;
   double sum = 0.0;
@@ -167,6 +167,6 @@ rot_links_bound rot_links_linear_bound(const rot_links *c, const rot_links_modes
     const double root = m->root[i];
     sum += root * (root * swing[i] * swing[i] * swing[i] / 6.0 + error);
   }
-  return (rot_links_bound){error / least, pace * error * sqrt(trace),
+  return (rot_links_bound){error / min, time_scales * error * sqrt(trace),
                            c->gravity_m_per_s2 * sum * fabs(time_s)};
 }

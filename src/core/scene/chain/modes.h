@@ -11,10 +11,10 @@
 #include "scene/chain/links.h"
 
 typedef struct rot_links_modes {
-  double rate[ROT_LINKS_MOST];                     /* w/sqrt(g), ascending */
-  double shape[ROT_LINKS_MOST * ROT_LINKS_MOST];   /* column j: orthonormal K^1/2 u_j */
-  double root[ROT_LINKS_MOST];                     /* K^1/2 */
-  double inverse[ROT_LINKS_MOST * ROT_LINKS_MOST]; /* of M */
+  double rate[ROT_LINKS_MAX];                    /* w/sqrt(g), ascending */
+  double shape[ROT_LINKS_MAX * ROT_LINKS_MAX];   /* column j: orthonormal K^1/2 u_j */
+  double root[ROT_LINKS_MAX];                    /* K^1/2 */
+  double inverse[ROT_LINKS_MAX * ROT_LINKS_MAX]; /* of M */
 } rot_links_modes;
 
 /* ROT_ERANGE: a rate leaves the doubles. */
@@ -22,7 +22,7 @@ rot_status rot_links_modes_build(const rot_links *c, rot_links_modes *modes);
 
 /* A linear motion: eta = K^1/2 theta in the modes, and its rates over w. */
 typedef struct rot_links_swing {
-  double eta[ROT_LINKS_MOST], beside[ROT_LINKS_MOST];
+  double eta[ROT_LINKS_MAX], beside[ROT_LINKS_MAX];
 } rot_links_swing;
 void rot_links_swing_start(const rot_links *c, const rot_links_modes *modes, const double theta[],
                            const double omega[], rot_links_swing *swing);

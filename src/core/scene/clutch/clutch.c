@@ -3,16 +3,16 @@
 #include <math.h>
 #include <string.h>
 
-#include "engine/march.h"
+#include "engine/stepping.h"
 #include "ground/real.h"
 #include "ground/search.h"
 
 /* ---- torques and inertias -------------------------------------------------------------------- */
 
 /* I1/(I1 + I2) and I2/(I1 + I2), without a sum that could overflow. */
-static void find_shares(const double inertia[2], double share[2]) {
-  share[0] = 1.0 / (1.0 + inertia[1] / inertia[0]);
-  share[1] = 1.0 / (1.0 + inertia[0] / inertia[1]);
+static void find_fractions(const double inertia[2], double fraction[2]) {
+  fraction[0] = 1.0 / (1.0 + inertia[1] / inertia[0]);
+  fraction[1] = 1.0 / (1.0 + inertia[0] / inertia[1]);
 }
 
 /* The torque of a locked clutch, (I2 tau1 - I1 tau2)/(I1 + I2), in products without a rounding:
@@ -56,7 +56,7 @@ static size_t step_at(const rot_steps *steps, double t) {
  * - share1 slip. Angles likewise. */
 typedef struct clutch {
   const rot_clutch_params *p;
-  double share[2];
+  double fraction[2];
   double time_s;
   double mean_theta, mean_omega, slip_theta, slip_omega, heat;
   double mean_theta_error, mean_omega_error, slip_theta_error, slip_omega_error;
@@ -64,9 +64,9 @@ typedef struct clutch {
   /* up to anchor_s, from which the torques have not changed */
   double anchor_s, anchor_theta, anchor_slip, anchor_theta_error, anchor_slip_error;
   rot_clutch_flows done, done_error;
-  /* of the stretch that begins at time_s */
+  /* of the segment that begins at time_s */
   double tau[2], mean_rate, slip_rate, torque, needed;
-  int locked, stops; /* stops: the stretch ends because the slip does */
+  int locked, stops; /* stops: the segment ends because the slip does */
   double end_s;
 } clutch;
 
@@ -74,17 +74,17 @@ static void begin(clutch *c, const rot_clutch_params *p) {
   const double *theta = p->theta0_rad, *omega = p->omega0_rad_per_s;
   *c = (clutch){0};
   c->p = p;
-  find_shares(p->inertia_kg_m2, c->share);
+  find_fractions(p->inertia_kg_m2, c->fraction);
   c->time_s = p->start_s;
-  c->mean_theta = c->share[0] * theta[0] + c->share[1] * theta[1];
-  c->mean_omega = c->share[0] * omega[0] + c->share[1] * omega[1];
+  c->mean_theta = c->fraction[0] * theta[0] + c->fraction[1] * theta[1];
+  c->mean_omega = c->fraction[0] * omega[0] + c->fraction[1] * omega[1];
   if (theta[0] == theta[1]) c->mean_theta = theta[0];
   if (omega[0] == omega[1]) c->mean_omega = omega[0];
   c->slip_theta = theta[0] - theta[1];
   c->slip_omega = omega[0] - omega[1];
   for (int i = 0; i < 2; i++) {
-    c->mean_theta_error += 4.0 * ROT_EPS * c->share[i] * fabs(theta[i]);
-    c->mean_omega_error += 4.0 * ROT_EPS * c->share[i] * fabs(omega[i]);
+    c->mean_theta_error += 4.0 * ROT_EPS * c->fraction[i] * fabs(theta[i]);
+    c->mean_omega_error += 4.0 * ROT_EPS * c->fraction[i] * fabs(omega[i]);
   }
   c->slip_theta_error = ROT_EPS * fabs(c->slip_theta);
   c->slip_omega_error = ROT_EPS * fabs(c->slip_omega);
@@ -101,15 +101,15 @@ static void begin(clutch *c, const rot_clutch_params *p) {
 /* The torques change at their steps only, whatever the clutch does between them. */
 static void flows_of(const clutch *c, rot_clutch_flows *flows, rot_clutch_flows *error) {
   const double mean = c->mean_theta - c->anchor_theta, slip = c->slip_theta - c->anchor_slip;
-  const double way[2] = {c->share[1], -c->share[0]}, s = c->time_s - c->anchor_s;
+  const double direction[2] = {c->fraction[1], -c->fraction[0]}, s = c->time_s - c->anchor_s;
   *flows = c->done;
   *error = c->done_error;
   for (int b = 0; b < 2; b++) {
-    const double work = c->tau[b] * (mean + way[b] * slip), impulse = c->tau[b] * s;
+    const double work = c->tau[b] * (mean + direction[b] * slip), impulse = c->tau[b] * s;
     const double off =
         c->anchor_theta_error + c->mean_theta_error +
-        fabs(way[b]) * (c->anchor_slip_error + c->slip_theta_error) +
-        4.0 * ROT_EPS * (fabs(c->anchor_theta) + fabs(c->mean_theta) + fabs(way[b] * slip));
+        fabs(direction[b]) * (c->anchor_slip_error + c->slip_theta_error) +
+        4.0 * ROT_EPS * (fabs(c->anchor_theta) + fabs(c->mean_theta) + fabs(direction[b] * slip));
     flows->work_j += work;
     error->work_j += fabs(c->tau[b]) * off + 4.0 * ROT_EPS * (fabs(work) + fabs(flows->work_j));
     flows->torque_impulse_n_m_s += impulse;
@@ -129,7 +129,7 @@ static void lay_anchor(clutch *c) {
   c->anchor_slip_error = c->slip_theta_error;
 }
 
-/* ---- stretches ------------------------------------------------------------------------------- */
+/* ---- segments ------------------------------------------------------------------------------- */
 
 static int sign(double x) { return (x > 0.0) - (x < 0.0); }
 
@@ -149,7 +149,7 @@ static double stop_time(const clutch *c) {
   return c->time_s - c->slip_omega / c->slip_rate;
 }
 
-/* The stretch ends where the slip does, or where something changes from outside. */
+/* The segment ends where the slip does, or where something changes from outside. */
 static void find_end(clutch *c) {
   const double stop = stop_time(c), engage_s = c->p->engage_s;
   c->end_s = next_torque(c->p, c->time_s);
@@ -158,7 +158,7 @@ static void find_end(clutch *c) {
   if (c->stops) c->end_s = fmax(stop, c->time_s);
 }
 
-/* The stretch from time_s on. */
+/* The segment from time_s on. */
 static rot_status enter(clutch *c, int was_locked, rot_events *events) {
   const rot_clutch_params *p = c->p;
   const int engaged = c->time_s >= p->engage_s;
@@ -169,15 +169,15 @@ static rot_status enter(clutch *c, int was_locked, rot_events *events) {
   if (tau[0] != c->tau[0] || tau[1] != c->tau[1]) lay_anchor(c);
   memcpy(c->tau, tau, sizeof tau);
   c->needed = locked_torque(p->inertia_kg_m2, c->tau[0], c->tau[1]);
-  c->mean_rate = c->share[0] * (c->tau[0] / p->inertia_kg_m2[0]) +
-                 c->share[1] * (c->tau[1] / p->inertia_kg_m2[1]);
+  c->mean_rate = c->fraction[0] * (c->tau[0] / p->inertia_kg_m2[0]) +
+                 c->fraction[1] * (c->tau[1] / p->inertia_kg_m2[1]);
   c->locked = engaged && c->slip_omega == 0.0 && fabs(c->needed) <= p->static_n_m;
   if (c->locked) {
     c->torque = c->needed;
     c->slip_rate = 0.0;
   } else {
-    const int way = c->slip_omega != 0.0 ? sign(c->slip_omega) : sign(c->needed);
-    c->torque = engaged ? way * p->capacity_n_m : 0.0;
+    const int direction = c->slip_omega != 0.0 ? sign(c->slip_omega) : sign(c->needed);
+    c->torque = engaged ? direction * p->capacity_n_m : 0.0;
     c->slip_rate = relative_rate(p->inertia_kg_m2, c->needed - c->torque);
   }
   find_end(c);
@@ -187,18 +187,19 @@ static rot_status enter(clutch *c, int was_locked, rot_events *events) {
   return !c->locked && was_locked ? rot_events_add(events, c->time_s, ROT_EVENT_SLIP) : ROT_OK;
 }
 
-/* The state at a later time of the same stretch; s = time - time_s. */
+/* The state at a later time of the same segment; s = time - time_s. */
 static clutch after(const clutch *c, double time) {
   clutch to = *c;
   const double s = time - c->time_s, half = 0.5 * s * s, *I = c->p->inertia_kg_m2;
-  const double rates = fabs(c->tau[0] / I[0]) * c->share[0] + fabs(c->tau[1] / I[1]) * c->share[1];
+  const double rates =
+      fabs(c->tau[0] / I[0]) * c->fraction[0] + fabs(c->tau[1] / I[1]) * c->fraction[1];
   const double pull = relative_rate(I, fabs(c->needed) + fabs(c->torque));
   to.time_s = time;
   to.mean_theta += c->mean_omega * s + c->mean_rate * half;
   to.mean_omega += c->mean_rate * s;
   to.slip_theta += c->slip_omega * s + c->slip_rate * half;
   to.slip_omega += c->slip_rate * s;
-  /* The slip keeps its sign on the stretch: both parts of the heat are positive. */
+  /* The slip keeps its sign on the segment: both parts of the heat are positive. */
   to.heat += fabs(c->torque) * (c->locked ? 0.0 : 0.5 * s * fabs(c->slip_omega + to.slip_omega));
   /* The time difference is rounded too: 6 roundings of each term at most, 10 of a half square. */
   to.mean_omega_error += ROT_EPS * (8.0 * rates * s + fabs(to.mean_omega));
@@ -214,9 +215,9 @@ static clutch after(const clutch *c, double time) {
   return to;
 }
 
-/* Goes to the end of the stretch, and enters the next one. */
+/* Goes to the end of the segment, and enters the next one. */
 static rot_status cross(clutch *c, rot_events *events) {
-  const int was_locked = c->locked, stops = c->stops, way = sign(c->slip_omega);
+  const int was_locked = c->locked, stops = c->stops, direction = sign(c->slip_omega);
   const double rate = fabs(c->slip_rate), heat = c->heat, end = c->end_s;
   if (stops) {
     /* w dt + A dt^2/2 with dt = -w/A is -w^2/(2 A), without the rounding of the time itself. */
@@ -235,7 +236,7 @@ static rot_status cross(clutch *c, rot_events *events) {
   rot_status status = enter(c, was_locked, events);
   /* An error of the time at zero counts by the next rate of slip. */
   if (stops && fabs(c->slip_rate) > rate) c->slip_omega_error *= fabs(c->slip_rate) / rate;
-  if (status == ROT_OK && stops && !c->locked && sign(c->slip_rate) == -way) {
+  if (status == ROT_OK && stops && !c->locked && sign(c->slip_rate) == -direction) {
     status = rot_events_add(events, c->time_s, ROT_EVENT_REVERSE);
   }
   if (status != ROT_OK) return status;
@@ -273,21 +274,22 @@ static rot_status write_row(void *model, size_t i) {
   const clutch_run *run = model;
   const clutch state = after(&run->at, run->time_s[i]), *at = &state;
   const rot_clutch_columns *out = run->out;
-  const double way[2] = {at->share[1], -at->share[0]};
+  const double direction[2] = {at->fraction[1], -at->fraction[0]};
   for (int b = 0; b < 2; b++) {
     const int first = at->time_s == at->p->start_s;
-    const double theta = first ? at->p->theta0_rad[b] : at->mean_theta + way[b] * at->slip_theta;
+    const double theta =
+        first ? at->p->theta0_rad[b] : at->mean_theta + direction[b] * at->slip_theta;
     const double omega =
-        first ? at->p->omega0_rad_per_s[b] : at->mean_omega + way[b] * at->slip_omega;
+        first ? at->p->omega0_rad_per_s[b] : at->mean_omega + direction[b] * at->slip_omega;
     if (!(isfinite(theta) && isfinite(omega))) return ROT_ERANGE;
     const double slip_error = at->locked && at->time_s > at->settled_s ? 0.0 : at->slip_omega_error;
     (b == 0 ? out->theta_1_rad : out->theta_2_rad)[i] = theta;
     (b == 0 ? out->omega_1_rad_per_s : out->omega_2_rad_per_s)[i] = omega;
     rot_note_row(run->info, theta, omega,
-                 at->mean_theta_error + fabs(way[b]) * at->slip_theta_error +
-                     ROT_EPS * (4.0 * fabs(way[b] * at->slip_theta) + fabs(theta)),
-                 at->mean_omega_error + fabs(way[b]) * slip_error +
-                     ROT_EPS * (4.0 * fabs(way[b] * at->slip_omega) + fabs(omega)));
+                 at->mean_theta_error + fabs(direction[b]) * at->slip_theta_error +
+                     ROT_EPS * (4.0 * fabs(direction[b] * at->slip_theta) + fabs(theta)),
+                 at->mean_omega_error + fabs(direction[b]) * slip_error +
+                     ROT_EPS * (4.0 * fabs(direction[b] * at->slip_omega) + fabs(omega)));
   }
   if (run->flow) {
     rot_clutch_flows flows, error;
@@ -309,7 +311,7 @@ static rot_status write_row(void *model, size_t i) {
 rot_status rot_clutch_run(const rot_clutch_params *p, size_t n, const double time_s[],
                           const rot_clutch_columns *out, double *const flow[], double flow_error[],
                           rot_events *events, const rot_hooks *hooks, rot_info *info) {
-  static const rot_march march = {restart, holds, next_piece, write_row, NULL};
+  static const rot_stepping stepping = {restart, holds, next_piece, write_row, NULL};
   clutch_run run = {.time_s = time_s,
                     .out = out,
                     .flow = flow,
@@ -320,18 +322,18 @@ rot_status rot_clutch_run(const rot_clutch_params *p, size_t n, const double tim
   rot_info_clear(info, rot_turning);
   begin(&run.at, p);
   for (int b = 0; b < 2; b++) rot_note_state(info, p->theta0_rad[b], p->omega0_rad_per_s[b]);
-  return rot_march_rows(&march, &run, p->start_s, n, time_s, hooks, info);
+  return rot_step_rows(&stepping, &run, p->start_s, n, time_s, hooks, info);
 }
 
 /* ---- one engagement -------------------------------------------------------------------------- */
 
 /* The same where a product may leave the range of doubles: powers of two apart, sums halved. */
-static rot_clutch_engagement engage_wide(const double inertia[2], const double share[2],
+static rot_clutch_engagement engage_simd(const double inertia[2], const double fraction[2],
                                          double capacity, const double torque[2],
                                          const double omega[2]) {
   const double half_slip = 0.5 * omega[0] - 0.5 * omega[1], size = fabs(half_slip);
   const double half_sum = 0.5 * inertia[0] + 0.5 * inertia[1];
-  const double reduced = fmin(inertia[0], inertia[1]) * fmax(share[0], share[1]);
+  const double reduced = fmin(inertia[0], inertia[1]) * fmax(fraction[0], fraction[1]);
   rot_clutch_engagement x;
   x.locked_torque_n_m = locked_torque(inertia, torque[0], torque[1]);
   x.omega_rad_per_s = rot_product(3, (double[]){0.5, inertia[0], omega[0]}, half_sum) +
@@ -366,9 +368,9 @@ rot_clutch_engagement rot_clutch_engage(double inertia_1, double inertia_2, doub
                                         double torque_1, double torque_2, double omega_1,
                                         double omega_2) {
   const double inertia[2] = {inertia_1, inertia_2}, slip = omega_1 - omega_2;
-  double share[2];
+  double fraction[2];
   rot_clutch_engagement x;
-  find_shares(inertia, share);
+  find_fractions(inertia, fraction);
   const double numbers[] = {inertia_1, inertia_2, capacity_n_m, torque_1,
                             torque_2,  omega_1,   omega_2};
   int finite = 1, well_scaled = 1;
@@ -378,18 +380,19 @@ rot_clutch_engagement rot_clutch_engage(double inertia_1, double inertia_2, doub
     well_scaled &= rot_well_scaled(numbers[i], 1e60) || unlimited;
   }
   if (finite && !well_scaled) {
-    return engage_wide(inertia, share, capacity_n_m, (double[]){torque_1, torque_2},
+    return engage_simd(inertia, fraction, capacity_n_m, (double[]){torque_1, torque_2},
                        (double[]){omega_1, omega_2});
   }
-  const double mean = slip == 0.0 ? omega_1 : share[0] * omega_1 + share[1] * omega_2;
+  const double mean = slip == 0.0 ? omega_1 : fraction[0] * omega_1 + fraction[1] * omega_2;
   x.locked_torque_n_m = locked_torque(inertia, torque_1, torque_2);
   if (isinf(capacity_n_m) || slip == 0.0) {
     /* (1/2) I1 I2/(I1 + I2) slip^2 by the product, never by the difference of the energies. */
     x.lock_s = 0.0;
     x.omega_rad_per_s = mean;
     x.heat_j =
-        rot_product(4, (double[]){0.5, fmin(inertia_1, inertia_2), fmax(share[0], share[1]), slip},
-                    1.0) *
+        rot_product(
+            4, (double[]){0.5, fmin(inertia_1, inertia_2), fmax(fraction[0], fraction[1]), slip},
+            1.0) *
         slip;
     return x;
   }
@@ -397,7 +400,8 @@ rot_clutch_engagement rot_clutch_engage(double inertia_1, double inertia_2, doub
   const double t = -slip / rate;
   x.lock_s = t >= 0.0 && isfinite(t) ? t : (double)INFINITY;
   if (isnan(slip) || isnan(rate)) x.lock_s = NAN;
-  const double mean_rate = share[0] * (torque_1 / inertia_1) + share[1] * (torque_2 / inertia_2);
+  const double mean_rate =
+      fraction[0] * (torque_1 / inertia_1) + fraction[1] * (torque_2 / inertia_2);
   x.omega_rad_per_s = isfinite(x.lock_s) ? mean + mean_rate * x.lock_s : (double)NAN;
   x.heat_j = 0.5 * capacity_n_m * fabs(slip) * x.lock_s;
   return x;

@@ -33,7 +33,7 @@ void rot_clutch_audit(const void *scene, const rot_span *s, double term[]) {
 }
 
 /* The clutch acts between the bodies, and dissipates while it slips. */
-size_t rot_clutch_keeps(const void *scene, size_t balance, const char *why[]) {
+size_t rot_clutch_conserved(const void *scene, size_t balance, const char *why[]) {
   const rot_clutch_params *p = scene;
   const int slips = p->capacity_n_m > 0.0 && p->omega0_rad_per_s[0] != p->omega0_rad_per_s[1];
   size_t n = 0;

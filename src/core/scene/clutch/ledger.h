@@ -11,6 +11,6 @@ extern const rot_balance_term rot_clutch_terms[ROT_CLUTCH_TERMS];
 
 /* rot_constraint.audit and .keeps */
 void rot_clutch_audit(const void *scene, const rot_span *span, double term[]);
-size_t rot_clutch_keeps(const void *scene, size_t balance, const char *why[]);
+size_t rot_clutch_conserved(const void *scene, size_t balance, const char *why[]);
 
 #endif

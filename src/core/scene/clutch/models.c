@@ -42,9 +42,9 @@ static const rot_model models[] = {
 };
 
 /* Between events the motion is a parabola. */
-static void pace(const void *scene, const double sizes[], rot_pace *to) {
+static void time_scales(const void *scene, const double sizes[], rot_time_scales *to) {
   (void)scene, (void)sizes;
-  *to = (rot_pace){INFINITY, 0.0};
+  *to = (rot_time_scales){INFINITY, 0.0};
 }
 
 static const char *const flows[] = {
@@ -79,6 +79,6 @@ const rot_constraint rot_clutch_constraint = {
     .n_terms = ROT_CLUTCH_TERMS,
     .terms = rot_clutch_terms,
     .audit = rot_clutch_audit,
-    .keeps = rot_clutch_keeps,
-    .pace = pace,
+    .conserved = rot_clutch_conserved,
+    .time_scales = time_scales,
 };

@@ -84,9 +84,9 @@ static void let_go(const rot_drive_system *s, signed char mode[], double load) {
     mode[s->contact_of[s->unit[w->to].end - 1]] = sign_mode(load);
     return;
   }
-  const signed char way = sign_mode(load);
+  const signed char direction = sign_mode(load);
   for (size_t u = w->from; u <= w->to; u++) {
-    if (s->unit[u].ground != SIZE_MAX) mode[s->unit[u].ground] = way;
+    if (s->unit[u].ground != SIZE_MAX) mode[s->unit[u].ground] = direction;
   }
   for (int behind = 0; behind < 2; behind++) { /* the clutches at both ends */
     if (!behind && w->from == 0) continue;
@@ -94,7 +94,7 @@ static void let_go(const rot_drive_system *s, signed char mode[], double load) {
     if (j + 1 >= s->n || c[j].kind != ROT_DRIVE_CLUTCH) continue;
     const size_t k = s->contact_of[j];
     const int up = (s->product[j] > 0.0) == (behind != 0);
-    if (mode[k] == ROT_DRIVE_STICKS) mode[k] = up ? way : (signed char)-way;
+    if (mode[k] == ROT_DRIVE_STICKS) mode[k] = up ? direction : (signed char)-direction;
   }
 }
 

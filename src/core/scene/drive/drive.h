@@ -16,11 +16,11 @@
 /* The capacity of a clutch or brake: max(0, law) from from_s on and before to_s, else 0. Its loads
  * are those of `law`, called with the slip speed as omega; static_ratio times it at no slip is what
  * holds. */
-typedef struct rot_drive_grip {
+typedef struct rot_drive_friction {
   int acts; /* 0: there is none */
   rot_axle_scene law;
   double static_ratio, from_s, to_s;
-} rot_drive_grip;
+} rot_drive_friction;
 
 typedef enum rot_drive_kind { ROT_DRIVE_SHAFT, ROT_DRIVE_CLUTCH, ROT_DRIVE_GEAR } rot_drive_kind;
 
@@ -28,14 +28,14 @@ typedef struct rot_drive_coupling {
   rot_drive_kind kind;
   double ratio; /* not 0 */
   double stiffness_n_m_per_rad, damping_n_m_s;
-  rot_drive_grip grip;
+  rot_drive_friction friction;
   double efficiency; /* of a gear, (0, 1]; 0 counts as 1 */
 } rot_drive_coupling;
 
 typedef struct rot_drive_scene {
   size_t n;                           /* rotors, at least 1 */
   const rot_axle_scene *rotor;        /* torque, resistance, inertia, state at the start */
-  const rot_drive_grip *brake;        /* n: from each rotor to ground */
+  const rot_drive_friction *brake;    /* n: from each rotor to ground */
   const rot_drive_coupling *coupling; /* n - 1 */
   double start_s;
   /* As built, n each: what follows from the inputs. */

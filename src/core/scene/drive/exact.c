@@ -54,13 +54,13 @@ static const rot_model_run *form_of_axle(const rot_axle_built *axle, const rot_q
   const rot_constraint *c = &rot_axle_constraint;
   const unsigned effects = c->effects_of(axle);
   const rot_model_run *found = NULL;
-  double least = INFINITY;
+  double min = INFINITY;
   for (size_t i = 0; i < c->n_models; i++) {
     const rot_model *model = &c->models[i];
     if (model->error_kind != ROT_BOUND || effects & ~model->takes) continue;
     if (model->why_not && model->why_not(axle, query)) continue;
     const double cost = model->cost_s(model, axle, query);
-    if (cost < least) least = cost, found = &c->runs[i];
+    if (cost < min) min = cost, found = &c->runs[i];
   }
   return found;
 }
@@ -86,14 +86,14 @@ static rot_status steps_of(const exact *x, size_t k, rot_store *store, rot_steps
 
 static rot_status clutch_of(exact *x, rot_store *store) {
   const rot_drive_units *u = &x->u;
-  const rot_drive_grip *grip = &x->scene->coupling[u->between[0]].grip;
+  const rot_drive_friction *friction = &x->scene->coupling[u->between[0]].friction;
   rot_clutch_params *p = &x->clutch;
   const double *omega = u->omega0_rad_per_s;
   memset(p, 0, sizeof *p);
-  p->capacity_n_m = grip->law.linear.torque.before_n_m / fabs(u->ratio[u->between[0]]);
-  p->static_n_m = grip->static_ratio * p->capacity_n_m;
+  p->capacity_n_m = friction->law.linear.torque.before_n_m / fabs(u->ratio[u->between[0]]);
+  p->static_n_m = friction->static_ratio * p->capacity_n_m;
   p->start_s = x->scene->start_s;
-  p->engage_s = fmax(grip->from_s, p->start_s);
+  p->engage_s = fmax(friction->from_s, p->start_s);
   /* Rates that agree to rounding do not slip. */
   const int alike = fabs(omega[1] - omega[0]) <= 4.0 * ROT_EPS * fabs(omega[0]);
   rot_status status = ROT_OK;
@@ -165,10 +165,10 @@ static size_t count(const rot_drive_scene *scene, rot_drive_kind kind) {
   return n;
 }
 
-static const rot_drive_grip *grip_of(const rot_drive_scene *scene) {
+static const rot_drive_friction *friction_of(const rot_drive_scene *scene) {
   size_t i = 0;
   while (scene->coupling[i].kind != ROT_DRIVE_CLUTCH) i++;
-  return &scene->coupling[i].grip;
+  return &scene->coupling[i].friction;
 }
 
 static const char *why_no_axle(const rot_drive_scene *scene, const rot_query *query) {
@@ -185,8 +185,8 @@ static const char *why_no_clutch(const rot_drive_scene *scene, const rot_query *
   if (count(scene, ROT_DRIVE_CLUTCH) != 1 || count(scene, ROT_DRIVE_SHAFT)) {
     return "it takes one clutch, and gears";
   }
-  const rot_drive_grip *grip = grip_of(scene);
-  if (!rot_drive_constant(&grip->law) || grip->to_s < INFINITY)
+  const rot_drive_friction *friction = friction_of(scene);
+  if (!rot_drive_constant(&friction->law) || friction->to_s < INFINITY)
     return "it takes a constant capacity";
   if (!all_rotors(scene, rot_drive_stepped)) {
     return "it takes torques that are constant between jumps";
@@ -425,8 +425,8 @@ static rot_status edges_of(const exact *x, size_t n, const double t[], rot_store
     for (size_t i = 0; i < scene->n; i++) {
       const rot_axle_scene *r = &scene->rotor[i];
       for (size_t k = 0; k < r->n_breaks; k++) all[found++] = r->breaks_s[k];
-      if (i + 1 < scene->n && scene->coupling[i].grip.acts) {
-        all[found++] = scene->coupling[i].grip.from_s;
+      if (i + 1 < scene->n && scene->coupling[i].friction.acts) {
+        all[found++] = scene->coupling[i].friction.from_s;
       }
     }
     rot_sort(found, all);
@@ -442,7 +442,7 @@ static rot_status edges_of(const exact *x, size_t n, const double t[], rot_store
 }
 
 /* Heat and impulses of rounding are as small as that of the whole motion. */
-static rot_status least_of(exact *x, size_t n, const double t[], rot_store *store, double least[]) {
+static rot_status min_of(exact *x, size_t n, const double t[], rot_store *store, double min[]) {
   solution s;
   actions a;
   rot_info info;
@@ -462,8 +462,8 @@ static rot_status least_of(exact *x, size_t n, const double t[], rot_store *stor
   }
   for (size_t k = 0; k < width_of(x); k++) {
     const int impulse = k == TORQUE || k == RESISTANCE || k == HOUSING;
-    least[k] = impulse ? momentum : energy;
-    if (!isfinite(least[k])) least[k] = 0.0;
+    min[k] = impulse ? momentum : energy;
+    if (!isfinite(min[k])) min[k] = 0.0;
   }
   rot_events_free(&events);
   return status;
@@ -472,21 +472,21 @@ static rot_status least_of(exact *x, size_t n, const double t[], rot_store *stor
 static rot_status integrate(exact *x, size_t n, const double t[], rot_store *store,
                             integrals *out) {
   const size_t width = width_of(x);
-  double *edges, *least = rot_store_get(store, width, sizeof *least);
+  double *edges, *min = rot_store_get(store, width, sizeof *min);
   size_t count = 0;
   out->value = rot_store_get(store, n, width * sizeof(double));
   out->error = rot_store_get(store, width, sizeof(double));
   out->size = rot_store_get(store, width, sizeof(double));
-  if (!least || !out->value || !out->error || !out->size) return ROT_ENOMEM;
+  if (!min || !out->value || !out->error || !out->size) return ROT_ENOMEM;
   rot_status status = edges_of(x, n, t, store, &edges, &count);
   if (status != ROT_OK || count < 2) return status;
   double *value = rot_store_get(store, count, width * sizeof *value);
   if (!value) return ROT_ENOMEM;
-  status = least_of(x, count, edges, store, least);
+  status = min_of(x, count, edges, store, min);
   const rot_panels panels = {.width = width,
                              .n = count - 1,
                              .edge_s = edges,
-                             .least = least,
+                             .min = min,
                              .value = value + width,
                              .error = out->error,
                              .size = out->size};

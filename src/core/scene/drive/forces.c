@@ -36,8 +36,8 @@ static void find_units(rot_drive_system *s) {
   }
   for (size_t i = 0; i < s->n; i++) {
     rot_drive_unit *u = &s->unit[s->unit_of[i]];
-    s->share[i] = u->scale / s->product[i];
-    u->inertia += scene->rotor[i].linear.inertia_kg_m2 * s->share[i] * s->share[i];
+    s->fraction[i] = u->scale / s->product[i];
+    u->inertia += scene->rotor[i].linear.inertia_kg_m2 * s->fraction[i] * s->fraction[i];
   }
 }
 
@@ -69,7 +69,7 @@ rot_status rot_drive_system_new(rot_drive_system *s, const rot_drive_scene *scen
   memset(s, 0, sizeof *s);
   s->scene = scene;
   s->n = n;
-  double **numbers[] = {&s->product,      &s->share,     &s->applied, &s->smooth, &s->dry,
+  double **numbers[] = {&s->product,      &s->fraction,  &s->applied, &s->smooth, &s->dry,
                         &s->brake,        &s->dry_cap,   &s->torque,  &s->force,  &s->size,
                         &s->hold,         &s->brake_cap, &s->alpha,   &s->low,    &s->high,
                         &s->acceleration, &s->passed};
@@ -105,8 +105,8 @@ void rot_drive_start(const rot_drive_system *s, double y[]) {
   const rot_drive_scene *scene = s->scene;
   for (size_t u = 0; u < s->m; u++) y[u] = 0.0;
   for (size_t i = 0; i < s->n; i++) {
-    if (fabs(s->share[i]) == 1.0) {
-      y[s->m + s->unit_of[i]] = scene->rotor[i].linear.omega0_rad_per_s * s->share[i];
+    if (fabs(s->fraction[i]) == 1.0) {
+      y[s->m + s->unit_of[i]] = scene->rotor[i].linear.omega0_rad_per_s * s->fraction[i];
     }
   }
   for (size_t j = 0; j + 1 < s->n; j++) {
@@ -136,12 +136,12 @@ static rot_status law_at(const rot_axle_scene *law, double t, double theta, doub
   return ROT_OK;
 }
 
-static rot_status grip_at(const rot_drive_grip *grip, double t, double theta, double slip,
-                          int sticks, double *capacity) {
+static rot_status friction_at(const rot_drive_friction *friction, double t, double theta,
+                              double slip, int sticks, double *capacity) {
   *capacity = 0.0;
-  if (!grip->acts || !(t >= grip->from_s && t < grip->to_s)) return ROT_OK;
-  const rot_status status = law_at(&grip->law, t, theta, 0.0, sticks ? 0.0 : slip, capacity);
-  *capacity = fmax(0.0, *capacity) * (sticks ? grip->static_ratio : 1.0);
+  if (!friction->acts || !(t >= friction->from_s && t < friction->to_s)) return ROT_OK;
+  const rot_status status = law_at(&friction->law, t, theta, 0.0, sticks ? 0.0 : slip, capacity);
+  *capacity = fmax(0.0, *capacity) * (sticks ? friction->static_ratio : 1.0);
   return status;
 }
 
@@ -160,25 +160,25 @@ static rot_status rotor_torques(rot_drive_system *s, double t, const double y[],
   for (size_t i = 0; i < s->n; i++) {
     const rot_axle_scene *r = &scene->rotor[i];
     const size_t u = s->unit_of[i], ground = s->unit[u].ground;
-    const double share = s->share[i], omega = share * y[s->m + u];
-    double lo, theta = rot_two_sum(r->linear.theta0_rad, share * y[u], &lo);
+    const double fraction = s->fraction[i], omega = fraction * y[s->m + u];
+    double lo, theta = rot_two_sum(r->linear.theta0_rad, fraction * y[u], &lo);
     rot_status status = law_at(r, t, theta, lo, omega, &s->applied[i]);
     if (status != ROT_OK) return status;
     s->smooth[i] = -r->viscous_n_m_s * omega - r->quadratic_n_m_s2 * omega * fabs(omega);
-    s->force[u] += share * (s->applied[i] + s->smooth[i]);
-    s->size[u] += fabs(share) * (fabs(s->applied[i]) + fabs(s->smooth[i]));
+    s->force[u] += fraction * (s->applied[i] + s->smooth[i]);
+    s->size[u] += fabs(fraction) * (fabs(s->applied[i]) + fabs(s->smooth[i]));
     s->dry[i] = s->brake[i] = s->dry_cap[i] = s->brake_cap[i] = 0.0;
     if (ground == SIZE_MAX) continue;
-    /* The sign is the stretch's, so that a stage beyond the zero sees no kink. */
+    /* The sign is the segment's, so that a stage beyond the zero sees no kink. */
     const int sticks = mode[ground] == ROT_DRIVE_STICKS;
     const double sign = slip_sign(mode[ground], y[s->m + u]);
     s->dry_cap[i] = sticks ? fmax(r->static_n_m, r->coulomb_n_m) : r->coulomb_n_m;
-    status = grip_at(&scene->brake[i], t, theta, sign * fabs(share) * y[s->m + u], sticks,
-                     &s->brake_cap[i]);
+    status = friction_at(&scene->brake[i], t, theta, sign * fabs(fraction) * y[s->m + u], sticks,
+                         &s->brake_cap[i]);
     if (status != ROT_OK) return status;
-    s->dry[i] = -sign * sign_of(share) * s->dry_cap[i];
-    s->brake[i] = -sign * sign_of(share) * s->brake_cap[i];
-    const double capacity = fabs(share) * (s->dry_cap[i] + s->brake_cap[i]);
+    s->dry[i] = -sign * sign_of(fraction) * s->dry_cap[i];
+    s->brake[i] = -sign * sign_of(fraction) * s->brake_cap[i];
+    const double capacity = fabs(fraction) * (s->dry_cap[i] + s->brake_cap[i]);
     s->capacity[ground] += capacity;
     s->force[u] -= sign * capacity;
     s->size[u] += capacity;
@@ -199,14 +199,14 @@ static rot_status coupling_torques(rot_drive_system *s, double t, const double y
     } else {
       const size_t k = s->contact_of[j];
       const double slip = y[s->state_of[j]], sign = slip_sign(mode[k], slip);
-      const double theta = scene->rotor[j].linear.theta0_rad + s->share[j] * y[a];
-      const rot_status status =
-          grip_at(&c->grip, t, theta, sign * slip, mode[k] == ROT_DRIVE_STICKS, &s->capacity[k]);
+      const double theta = scene->rotor[j].linear.theta0_rad + s->fraction[j] * y[a];
+      const rot_status status = friction_at(&c->friction, t, theta, sign * slip,
+                                            mode[k] == ROT_DRIVE_STICKS, &s->capacity[k]);
       if (status != ROT_OK) return status;
       s->torque[j] = sign * s->capacity[k];
     }
-    const double on_a = s->share[j] * s->torque[j];
-    const double on_b = c->ratio * s->share[j + 1] * s->torque[j];
+    const double on_a = s->fraction[j] * s->torque[j];
+    const double on_b = c->ratio * s->fraction[j + 1] * s->torque[j];
     s->force[a] -= on_a;
     s->force[b] += on_b;
     s->size[a] += fabs(on_a);
@@ -291,11 +291,11 @@ static void held_group(rot_drive_system *s, size_t from, size_t to, const signed
   }
   double low = 0.0, high = 0.0;
   for (size_t u = from; u <= to; u++) {
-    const double most = u < to ? clutch_capacity(s, u, mode) : 0.0;
+    const double max = u < to ? clutch_capacity(s, u, mode) : 0.0;
     const double ground = ground_capacity(s, u, mode), force = force_of(s, u);
     s->acceleration[u] = 0.0;
-    s->low[u] = low = fmin(most, fmax(-most, low + force - ground));
-    s->high[u] = high = fmin(most, fmax(-most, high + force + ground));
+    s->low[u] = low = fmin(max, fmax(-max, low + force - ground));
+    s->high[u] = high = fmin(max, fmax(-max, high + force + ground));
   }
   double torque = 0.0;
   for (size_t u = to + 1; u-- > from;) {
@@ -312,12 +312,12 @@ static void held_group(rot_drive_system *s, size_t from, size_t to, const signed
 }
 
 /* What holds a unit, on its rotors: by capacity. */
-static void share_hold(rot_drive_system *s, size_t u) {
+static void fraction_hold(rot_drive_system *s, size_t u) {
   const size_t ground = s->unit[u].ground;
   const double part = s->capacity[ground] > 0.0 ? s->hold[u] / s->capacity[ground] : 0.0;
   for (size_t i = s->unit[u].first; i < s->unit[u].end; i++) {
-    s->dry[i] = part * sign_of(s->share[i]) * s->dry_cap[i];
-    s->brake[i] = part * sign_of(s->share[i]) * s->brake_cap[i];
+    s->dry[i] = part * sign_of(s->fraction[i]) * s->dry_cap[i];
+    s->brake[i] = part * sign_of(s->fraction[i]) * s->brake_cap[i];
   }
 }
 
@@ -325,8 +325,8 @@ static void lossy_unit(rot_drive_system *s, size_t u, const double y[], const si
                        int held) {
   const size_t ground = s->unit[u].ground;
   if (!held) {
-    const double way = slip_sign(mode[ground], y[s->m + u]);
-    rot_drive_mesh_turns(s, u, way != 0.0 ? way : s->force[u] < 0.0 ? -1.0 : 1.0);
+    const double direction = slip_sign(mode[ground], y[s->m + u]);
+    rot_drive_mesh_turns(s, u, direction != 0.0 ? direction : s->force[u] < 0.0 ? -1.0 : 1.0);
     return;
   }
   double capacity, load;
@@ -339,7 +339,7 @@ static void lossy_unit(rot_drive_system *s, size_t u, const double y[], const si
 static void gear_torques(rot_drive_system *s) {
   const rot_drive_coupling *c = s->scene->coupling;
   for (size_t i = 0; i < s->n; i++) {
-    s->alpha[i] = s->share[i] * s->acceleration[s->unit_of[i]];
+    s->alpha[i] = s->fraction[i] * s->acceleration[s->unit_of[i]];
     if (i + 1 == s->n || c[i].kind != ROT_DRIVE_GEAR || s->unit[s->unit_of[i]].lossy) continue;
     const double from = i ? c[i - 1].ratio * s->torque[i - 1] : 0.0;
     s->torque[i] = s->applied[i] + s->smooth[i] + s->dry[i] + s->brake[i] + from -
@@ -376,7 +376,7 @@ rot_status rot_drive_forces(rot_drive_system *s, double t, const double y[],
       free_group(s, from, to, mode);
     }
     for (size_t u = from; u <= to && held; u++) {
-      if (s->unit[u].ground != SIZE_MAX) share_hold(s, u);
+      if (s->unit[u].ground != SIZE_MAX) fraction_hold(s, u);
     }
     from = to + 1;
   }

@@ -17,7 +17,7 @@ rot_status rot_drive_forces(rot_drive_system *s, double t, const double y[],
 
 /* omega of a rotor; slip speed and its rate, of a contact. */
 static inline double rot_drive_omega(const rot_drive_system *s, const double y[], size_t i) {
-  return s->share[i] * y[s->m + s->unit_of[i]];
+  return s->fraction[i] * y[s->m + s->unit_of[i]];
 }
 double rot_drive_slip_rate(const rot_drive_system *s, size_t contact);
 

@@ -13,7 +13,7 @@
 #include "scene/drive/exact.h"
 #include "engine/ode/fixed.h"
 #include "scene/drive/ledger.h"
-#include "scene/drive/pace.h"
+#include "scene/drive/time_scales.h"
 
 /* ---- couplings and brakes -------------------------------------------------------------------- */
 
@@ -79,26 +79,26 @@ static rot_status check_capacity(const rot_given given[], rot_store *store, rot_
   if (rot_law_sum_of(&given[0], store, &sum) != ROT_OK) return ROT_ENOMEM;
   if (sum.n != 1 || sum.law->kind != ROT_LAW_KNOTS) return ROT_OK;
   const rot_torque *knots = &sum.law->knots;
-  double least = fmin(knots->before_n_m, knots->after_n_m);
-  for (size_t i = 0; i < knots->n; i++) least = fmin(least, knots->torque_n_m[i]);
-  return least >= 0.0 ? ROT_OK
-                      : rot_refuse(no, 0, "must be at least 0 at all knots; it falls to %g", least);
+  double min = fmin(knots->before_n_m, knots->after_n_m);
+  for (size_t i = 0; i < knots->n; i++) min = fmin(min, knots->torque_n_m[i]);
+  return min >= 0.0 ? ROT_OK
+                    : rot_refuse(no, 0, "must be at least 0 at all knots; it falls to %g", min);
 }
 
 static rot_status build_brake(const rot_part *part, const rot_given given[], rot_store *store,
                               void *to, rot_refusal *no) {
-  rot_drive_grip *grip = to;
+  rot_drive_friction *friction = to;
   double window[2];
-  memset(grip, 0, sizeof *grip);
+  memset(friction, 0, sizeof *friction);
   rot_status status = check_capacity(given, store, no);
   if (status == ROT_OK) status = rot_law_window(part->inputs, given, 2, window, no);
   if (status != ROT_OK) return status;
-  grip->acts = 1;
-  grip->static_ratio = rot_input_number(part->inputs, given, 1);
-  grip->from_s = window[0];
-  grip->to_s = window[1];
-  grip->law.linear.inertia_kg_m2 = 1.0;
-  status = rot_axle_load(&given[0], NULL, store, &grip->law, NULL);
+  friction->acts = 1;
+  friction->static_ratio = rot_input_number(part->inputs, given, 1);
+  friction->from_s = window[0];
+  friction->to_s = window[1];
+  friction->law.linear.inertia_kg_m2 = 1.0;
+  status = rot_axle_load(&given[0], NULL, store, &friction->law, NULL);
   return status == ROT_EVALUE ? rot_refuse(no, 0, "adds up beyond double precision") : status;
 }
 
@@ -108,7 +108,7 @@ static rot_status build_clutch(const rot_part *part, const rot_given given[], ro
   memset(c, 0, sizeof *c);
   c->kind = ROT_DRIVE_CLUTCH;
   c->efficiency = 1.0;
-  const rot_status status = build_brake(part, given, store, &c->grip, no);
+  const rot_status status = build_brake(part, given, store, &c->friction, no);
   return status == ROT_OK ? ratio_of(part, given, 4, &c->ratio, no) : status;
 }
 
@@ -119,7 +119,7 @@ const rot_part rot_drive_parts[] = {
     PART("coupling_shaft", ROT_INPUT_COUPLING, shaft_inputs, rot_drive_coupling, build_shaft),
     PART("coupling_clutch", ROT_INPUT_COUPLING, clutch_inputs, rot_drive_coupling, build_clutch),
     PART("coupling_gear", ROT_INPUT_COUPLING, gear_inputs, rot_drive_coupling, build_gear),
-    PART("brake", ROT_INPUT_BRAKE, brake_inputs, rot_drive_grip, build_brake),
+    PART("brake", ROT_INPUT_BRAKE, brake_inputs, rot_drive_friction, build_brake),
 };
 const size_t rot_drive_n_parts = sizeof rot_drive_parts / sizeof *rot_drive_parts;
 
@@ -231,7 +231,7 @@ static rot_status build_rotors(const rot_given given[], size_t n, rot_store *sto
                                rot_drive_scene *scene, rot_refusal *no) {
   double *inertia = rot_store_get(store, n, 4 * sizeof *inertia);
   rot_axle_scene *rotor = rot_store_get(store, n, sizeof *rotor);
-  rot_drive_grip *brake = rot_store_get(store, n, sizeof *brake);
+  rot_drive_friction *brake = rot_store_get(store, n, sizeof *brake);
   if (!inertia || !rotor || !brake) return ROT_ENOMEM;
   double *ratio = inertia + n, *theta = ratio + n, *omega = theta + n;
   long double product = 1.0L; /* as R multiplies them */
@@ -252,7 +252,7 @@ static rot_status build_rotors(const rot_given given[], size_t n, rot_store *sto
     rotor[i].linear.start_s = scene->start_s;
     rotor[i].linear.theta0_rad = theta[i];
     rotor[i].linear.omega0_rad_per_s = omega[i];
-    if (holds->is) brake[i] = *(const rot_drive_grip *)holds->object;
+    if (holds->is) brake[i] = *(const rot_drive_friction *)holds->object;
     rot_resistance terms;
     status = rot_resistance_of(&rot_drive_inputs[RESISTANCE], RESISTANCE,
                                item_of(&given[RESISTANCE], i), &terms, no);
@@ -273,7 +273,7 @@ static rot_status build_rotors(const rot_given given[], size_t n, rot_store *sto
 
 /* Breaks of what acts on one rotor or coupling, unsorted; returns how many, with `out` NULL room
  * that is enough. */
-static size_t breaks_of(const rot_axle_scene *law, const rot_drive_grip *window, double out[]) {
+static size_t breaks_of(const rot_axle_scene *law, const rot_drive_friction *window, double out[]) {
   if (out && law->n_breaks) memcpy(out, law->breaks_s, law->n_breaks * sizeof *out);
   size_t n = law->n_breaks;
   for (int k = 0; window && k < 2; k++) {
@@ -287,11 +287,12 @@ static size_t breaks_of(const rot_axle_scene *law, const rot_drive_grip *window,
 static size_t all_breaks(const rot_drive_scene *scene, double out[]) {
   size_t n = 0;
   for (size_t i = 0; i < scene->n; i++) {
-    const rot_drive_grip *grip[] = {&scene->brake[i],
-                                    i + 1 < scene->n ? &scene->coupling[i].grip : NULL};
+    const rot_drive_friction *friction[] = {&scene->brake[i],
+                                            i + 1 < scene->n ? &scene->coupling[i].friction : NULL};
     n += breaks_of(&scene->rotor[i], NULL, out ? out + n : NULL);
     for (int k = 0; k < 2; k++) {
-      if (grip[k] && grip[k]->acts) n += breaks_of(&grip[k]->law, grip[k], out ? out + n : NULL);
+      if (friction[k] && friction[k]->acts)
+        n += breaks_of(&friction[k]->law, friction[k], out ? out + n : NULL);
     }
   }
   return n;
@@ -327,7 +328,7 @@ const rot_derived rot_drive_derived[ROT_DRIVE_DERIVED] = {
 
 double rot_drive_start_s(const void *scene) { return ((const rot_drive_scene *)scene)->start_s; }
 
-size_t rot_drive_copies(const void *scene) { return ((const rot_drive_scene *)scene)->n; }
+size_t rot_drive_rows_per_time(const void *scene) { return ((const rot_drive_scene *)scene)->n; }
 
 /* ---- columns --------------------------------------------------------------------------------- */
 
@@ -372,11 +373,11 @@ static rot_status open_ledger(size_t n, const rot_rows *rows, rot_store *store,
 static rot_status run(rot_drive_form form, const rot_drive_scene *scene, const rot_task *task,
                       rot_method method, const rot_rows *rows, const rot_hooks *hooks,
                       rot_info *info) {
-  rot_pace pace;
-  rot_drive_pace_of_start(scene, &pace);
+  rot_time_scales time_scales;
+  rot_drive_time_scales_of_start(scene, &time_scales);
   const rot_drive_ode_options options = {task->accuracy, task->max_steps,
                                          rot_task_method(task, method), task->resolution,
-                                         rot_fixed_task_step_s(task, scene->start_s, &pace)};
+                                         rot_fixed_task_step_s(task, scene->start_s, &time_scales)};
   const rot_drive_columns out = columns_of(rows->column);
   const int exact = form != ROT_DRIVE_FORMS;
   rot_drive_ledger ledger;

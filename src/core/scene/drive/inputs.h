@@ -22,7 +22,7 @@ extern const rot_model_run rot_drive_runs[ROT_DRIVE_MODELS];
 rot_status rot_drive_build(const rot_given given[], rot_store *store, void *scene,
                            rot_refusal *refusal);
 double rot_drive_start_s(const void *scene);
-size_t rot_drive_copies(const void *scene);
+size_t rot_drive_rows_per_time(const void *scene);
 
 /* coupling_shaft(), coupling_clutch(), coupling_gear(), brake() */
 extern const rot_part rot_drive_parts[];

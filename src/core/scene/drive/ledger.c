@@ -19,9 +19,9 @@ const char *const rot_drive_flow_names[ROT_DRIVE_FLOWS] = {
 void rot_drive_elastic(const rot_drive_scene *scene, size_t n, const rot_drive_columns *rows,
                        const rot_info *info, rot_drive_ledger *ledger) {
   const size_t rotors = scene->n;
-  double most = 0.0;
-  for (size_t i = 0; i < n * rotors; i++) most = fmax(most, fabs(rows->omega_rad_per_s[i]));
-  const double omega_error = info->measure[ROT_OMEGA].error + 2.0 * ROT_EPS * most;
+  double max = 0.0;
+  for (size_t i = 0; i < n * rotors; i++) max = fmax(max, fabs(rows->omega_rad_per_s[i]));
+  const double omega_error = info->measure[ROT_OMEGA].error + 2.0 * ROT_EPS * max;
   ledger->elastic_error_j = 0.0;
   for (size_t row = 0; row < n; row++) {
     double change = 0.0, error = 0.0;
@@ -118,7 +118,7 @@ static int pushes(const rot_axle_scene *rotor) {
 
 /* Torques, resistance and brakes act from outside, and so do the housings of gears. A clutch may
  * slip unless all that is joined turns together. */
-size_t rot_drive_keeps(const void *of, size_t balance, const char *why[]) {
+size_t rot_drive_conserved(const void *of, size_t balance, const char *why[]) {
   const rot_drive_scene *scene = of;
   int torque = 0, resistance = 0, brake = 0, damped = 0, clutch = 0, mesh = 0, housing = 0;
   for (size_t i = 0; i < scene->n; i++) {

@@ -23,6 +23,6 @@ void rot_drive_flow_errors(const rot_drive_scene *scene, const rot_drive_ledger 
 
 /* rot_constraint.audit and .keeps */
 void rot_drive_audit(const void *scene, const rot_span *span, double term[]);
-size_t rot_drive_keeps(const void *scene, size_t balance, const char *why[]);
+size_t rot_drive_conserved(const void *scene, size_t balance, const char *why[]);
 
 #endif

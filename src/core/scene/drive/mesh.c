@@ -23,11 +23,11 @@ static double force_on(const rot_drive_system *s, const rot_drive_unit *unit, si
   double torque = s->applied[i] + s->smooth[i] + s->dry[i] + s->brake[i];
   if (i == unit->first && i > 0) torque += s->scene->coupling[i - 1].ratio * s->torque[i - 1];
   if (i + 1 == unit->end && i + 1 < s->n) torque -= s->torque[i];
-  return s->share[i] * torque;
+  return s->fraction[i] * torque;
 }
 
 static double inertia_on(const rot_drive_system *s, size_t i) {
-  return s->scene->rotor[i].linear.inertia_kg_m2 * s->share[i] * s->share[i];
+  return s->scene->rotor[i].linear.inertia_kg_m2 * s->fraction[i] * s->fraction[i];
 }
 
 /* Rotor i + 1 takes `taken` from its gear: what rotor i gives. `part` 1: all of the loss forward;
@@ -35,18 +35,19 @@ static double inertia_on(const rot_drive_system *s, size_t i) {
 static double given(rot_drive_system *s, size_t i, double taken, double part) {
   const double loss = pow(efficiency_of(s, i), taken > 0.0 ? part : taken < 0.0 ? -part : 0.0);
   s->passed[i] = loss;
-  s->torque[i] = taken / loss / s->share[i];
+  s->torque[i] = taken / loss / s->fraction[i];
   return taken / loss;
 }
 
 /* ---- turning --------------------------------------------------------------------------------- */
 
 /* The acceleration that the power flows at acceleration a give; with it the gears' torques at a. */
-static double with_flows_at(rot_drive_system *s, const rot_drive_unit *unit, double way, double a) {
+static double with_flows_at(rot_drive_system *s, const rot_drive_unit *unit, double direction,
+                            double a) {
   double force = 0.0, inertia = 0.0, taken = 0.0;
   for (size_t i = unit->end; i-- > unit->first;) {
     if (i + 1 < unit->end) {
-      const double gives = given(s, i, taken, way);
+      const double gives = given(s, i, taken, direction);
       force /= s->passed[i];
       inertia /= s->passed[i];
       taken = gives;
@@ -61,16 +62,16 @@ static double with_flows_at(rot_drive_system *s, const rot_drive_unit *unit, dou
 
 /* The torque that the first rotor lacks is convex in way * a and piecewise linear: Newton's
  * iteration ends after a few flows, and falls from the second on. */
-void rot_drive_mesh_turns(rot_drive_system *s, size_t unit, double way) {
+void rot_drive_mesh_turns(rot_drive_system *s, size_t unit, double direction) {
   const rot_drive_unit *u = &s->unit[unit];
   double a = s->force[unit] / u->inertia;
-  const size_t most = 10 + 4 * (u->end - u->first);
-  for (size_t turn = 0; turn < most; turn++) {
-    const double next = with_flows_at(s, u, way, a);
-    if (turn > 0 && !(way * next < way * a)) break;
+  const size_t max = 10 + 4 * (u->end - u->first);
+  for (size_t turn = 0; turn < max; turn++) {
+    const double next = with_flows_at(s, u, direction, a);
+    if (turn > 0 && !(direction * next < direction * a)) break;
     a = next;
   }
-  with_flows_at(s, u, way, a);
+  with_flows_at(s, u, direction, a);
   s->acceleration[unit] = a;
 }
 
@@ -81,7 +82,7 @@ static double lacking(rot_drive_system *s, const rot_drive_unit *unit, double pa
   double taken = 0.0;
   for (size_t i = unit->end; i-- > unit->first;) {
     if (i + 1 < unit->end) taken = given(s, i, taken, part);
-    taken += part * fabs(s->share[i]) * (s->dry_cap[i] + s->brake_cap[i]) - force_on(s, unit, i);
+    taken += part * fabs(s->fraction[i]) * (s->dry_cap[i] + s->brake_cap[i]) - force_on(s, unit, i);
   }
   return taken;
 }
@@ -108,7 +109,7 @@ void rot_drive_mesh_rests(rot_drive_system *s, size_t unit, double *capacity, do
   }
   lacking(s, u, part);
   for (size_t i = u->first; i < u->end; i++) {
-    const double sign = s->share[i] > 0.0 ? 1.0 : -1.0;
+    const double sign = s->fraction[i] > 0.0 ? 1.0 : -1.0;
     s->dry[i] = -part * sign * s->dry_cap[i];
     s->brake[i] = -part * sign * s->brake_cap[i];
   }

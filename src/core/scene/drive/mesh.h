@@ -12,7 +12,7 @@ int rot_drive_mesh_loses(const rot_drive_coupling *coupling);
 double rot_drive_mesh_gain(const rot_drive_system *s, const rot_drive_unit *unit);
 
 /* Known torques => acceleration of the unit, torques of its gears. */
-void rot_drive_mesh_turns(rot_drive_system *s, size_t unit, double way);
+void rot_drive_mesh_turns(rot_drive_system *s, size_t unit, double direction);
 
 /* Known torques, capacities => what holds the unit at rest and what loads it; torques of its gears,
  * friction and brakes, at the same part of what each could hold. */

@@ -8,7 +8,7 @@
 #include "scene/drive/inputs.h"
 #include "scene/drive/ledger.h"
 #include "scene/drive/mesh.h"
-#include "scene/drive/pace.h"
+#include "scene/drive/time_scales.h"
 #include "ground/search.h"
 
 /* ---- effects --------------------------------------------------------------------------------- */
@@ -100,7 +100,9 @@ static void rates_of(const rot_drive_scene *scene, double *swing_per_s, double *
   }
 }
 
-static int calls(const rot_drive_grip *grip) { return grip->law.linear.torque.call != NULL; }
+static int calls(const rot_drive_friction *friction) {
+  return friction->law.linear.torque.call != NULL;
+}
 
 /* As of an axle (scene/axle/models.c), a call of the right-hand side by rotors. seconds: the rate,
  * its power, decay times, steps after, of explicit and implicit steps. */
@@ -118,7 +120,8 @@ static double integrated_s(const rot_model *model, const void *of, const rot_que
     breaks += (double)(rot_lower_bound(r->n_breaks, r->breaks_s, to) -
                        rot_lower_bound(r->n_breaks, r->breaks_s, from));
     called |= r->linear.torque.call || (scene->brake[i].acts && calls(&scene->brake[i])) ||
-              (i + 1 < scene->n && scene->coupling[i].grip.acts && calls(&scene->coupling[i].grip));
+              (i + 1 < scene->n && scene->coupling[i].friction.acts &&
+               calls(&scene->coupling[i].friction));
   }
   const double decays = fmin(decay * (to - from), 1e300);
   const double rate = s[0] * pow(fmax(query->accuracy, model->promise), s[1]);
@@ -147,20 +150,20 @@ EXACT_WHY(not_clutch, ROT_DRIVE_AS_CLUTCH)
 EXACT_WHY(not_modal, ROT_DRIVE_AS_SHAFT)
 
 /* c_i = a k_i and d_i = b J_i: each mode is a closed form (scene/shaft/modal.h). */
-static int modes_apart(const rot_drive_scene *scene) {
+static int modes_difference(const rot_drive_scene *scene) {
   const rot_drive_coupling *shaft = NULL;
-  int apart = 1;
+  int difference = 1;
   for (size_t i = 0; i < scene->n; i++) {
     const rot_axle_scene *r = &scene->rotor[i], *first = &scene->rotor[0];
     const double d = r->viscous_n_m_s * first->linear.inertia_kg_m2;
-    apart &= fabs(d - first->viscous_n_m_s * r->linear.inertia_kg_m2) <= 1e-12 * d;
+    difference &= fabs(d - first->viscous_n_m_s * r->linear.inertia_kg_m2) <= 1e-12 * d;
     const rot_drive_coupling *c = i + 1 < scene->n ? &scene->coupling[i] : NULL;
     if (!c || c->kind != ROT_DRIVE_SHAFT) continue;
     if (!shaft) shaft = c;
     const double damped = c->damping_n_m_s * shaft->stiffness_n_m_per_rad;
-    apart &= fabs(damped - shaft->damping_n_m_s * c->stiffness_n_m_per_rad) <= 1e-12 * damped;
+    difference &= fabs(damped - shaft->damping_n_m_s * c->stiffness_n_m_per_rad) <= 1e-12 * damped;
   }
-  return apart;
+  return difference;
 }
 
 /* The heat of resistance and dampers takes 15 nodes of quadrature in each interval of the rows.
@@ -170,14 +173,14 @@ static double exact_s(const rot_model *model, const void *of, const rot_query *q
   const double rows = (double)query->n * (double)scene->n;
   int lossy = (effects_of(of) & VISCOUS) != 0;
   for (size_t i = 0; i + 1 < scene->n; i++) lossy |= scene->coupling[i].damping_n_m_s > 0.0;
-  const int coupled = lossy && model->seconds[3] > 0.0 && !modes_apart(scene);
+  const int coupled = lossy && model->seconds[3] > 0.0 && !modes_difference(scene);
   return model->seconds[0] + rows * model->seconds[coupled ? 3 : lossy ? 2 : 1];
 }
 
 static double fixed_s(const rot_model *model, const void *of, const rot_query *query) {
-  rot_pace pace;
-  rot_drive_pace_of_start(of, &pace);
-  return rot_fixed_cost_s(model, query, rot_drive_start_s(of), &pace);
+  rot_time_scales time_scales;
+  rot_drive_time_scales_of_start(of, &time_scales);
+  return rot_fixed_cost_s(model, query, rot_drive_start_s(of), &time_scales);
 }
 
 static const rot_model models[] = {
@@ -251,7 +254,7 @@ const rot_constraint rot_drive_constraint = {
     .scene_size = sizeof(rot_drive_scene),
     .start_s = rot_drive_start_s,
     .index = "rotor",
-    .copies = rot_drive_copies,
+    .rows_per_time = rot_drive_rows_per_time,
     .n_flows = ROT_DRIVE_FLOWS,
     .flows = rot_drive_flow_names,
     .n_balances = ROT_DRIVE_BALANCES,
@@ -259,8 +262,8 @@ const rot_constraint rot_drive_constraint = {
     .n_terms = ROT_DRIVE_TERMS,
     .terms = rot_drive_terms,
     .audit = rot_drive_audit,
-    .keeps = rot_drive_keeps,
-    .pace = rot_drive_pace,
+    .conserved = rot_drive_conserved,
+    .time_scales = rot_drive_time_scales,
     .breaks = breaks,
     .between = "coupling",
 };

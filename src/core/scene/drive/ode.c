@@ -27,7 +27,7 @@ typedef struct motion {
   signed char *now, *before;
   int mode; /* the row in use */
   double span_s, noise[3];
-  double most[2];    /* largest |theta|, |omega| on the way */
+  double max[2];     /* largest |theta|, |omega| on the way */
   rot_status failed; /* in an event function: rhs reports it */
   rot_events *events;
 } motion;
@@ -149,14 +149,14 @@ static double ahead(const motion *m, double t) {
 /* How far rounding may move the rates: the sum of what acts. Where a motion begins in it, no step
  * would pass its error test. */
 static void note_noise(motion *m) {
-  double most = 0.0;
+  double max = 0.0;
   double off = 0.0; /* of laws that are samples */
-  for (size_t u = 0; u < m->s.m; u++) most = fmax(most, m->s.size[u] / m->s.unit[u].inertia);
+  for (size_t u = 0; u < m->s.m; u++) max = fmax(max, m->s.size[u] / m->s.unit[u].inertia);
   for (size_t i = 0; i < m->s.n; i++) {
     const rot_axle_scene *rotor = &m->s.scene->rotor[i];
     off = fmax(off, rotor->noise_n_m / rotor->linear.inertia_kg_m2);
   }
-  m->noise[1] = 4.0 * ROT_EPS * most + off;
+  m->noise[1] = 4.0 * ROT_EPS * max + off;
   m->noise[0] = m->noise[2] = m->noise[1] * m->span_s;
 }
 
@@ -166,7 +166,7 @@ static void round_to_rest(const motion *m, double y[]) {
   for (size_t k = 0; k < m->s.n_contacts; k++) {
     double *speed = &y[m->s.contact[k].state];
     const int beyond = *speed * (double)modes_of(m, m->mode)[k] < 0.0;
-    if (fabs(*speed) <= (beyond ? 1e-10 : 64.0 * ROT_EPS) * m->most[1]) *speed = 0.0;
+    if (fabs(*speed) <= (beyond ? 1e-10 : 64.0 * ROT_EPS) * m->max[1]) *speed = 0.0;
   }
 }
 
@@ -192,7 +192,7 @@ static rot_ode_then settle_at(double t, double y[], int *mode, void *ctx, int br
   if (m->events && m->events->count) m->events->count--;
   settle_in(m, t, y, breaks);
   *mode = m->mode;
-  return ROT_ODE_NEW_STRETCH;
+  return ROT_ODE_NEW_SEGMENT;
 }
 
 static rot_ode_then at_zero(double t, double y[], int *mode, int forward, void *ctx) {
@@ -210,7 +210,7 @@ static rot_ode_then at_kink(double t, double y[], int *mode, int forward, void *
   const motion *m = ctx;
   if (forward && m->s.n_contacts) return settle_at(t, y, mode, ctx, 0);
   if (m->events && m->events->count) m->events->count--;
-  return ROT_ODE_NEW_STRETCH;
+  return ROT_ODE_NEW_SEGMENT;
 }
 
 static double margin_at(double t, const double y[], void *ctx) {
@@ -232,9 +232,9 @@ static void note_state(double t, double y[], void *ctx) {
   (void)t;
   for (size_t i = 0; i < m->s.n; i++) {
     const double theta0 = m->s.scene->rotor[i].linear.theta0_rad;
-    const double theta = theta0 + m->s.share[i] * y[m->s.unit_of[i]];
-    m->most[0] = fmax(m->most[0], fabs(theta));
-    m->most[1] = fmax(m->most[1], fabs(rot_drive_omega(&m->s, y, i)));
+    const double theta = theta0 + m->s.fraction[i] * y[m->s.unit_of[i]];
+    m->max[0] = fmax(m->max[0], fabs(theta));
+    m->max[1] = fmax(m->max[1], fabs(rot_drive_omega(&m->s, y, i)));
   }
 }
 
@@ -245,11 +245,11 @@ static int compare(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
-static size_t add_grip_breaks(const rot_drive_grip *grip, double out[]) {
-  if (!grip->acts) return 0;
-  size_t n = rot_axle_scene_breaks(&grip->law, out);
-  if (isfinite(grip->from_s)) out[n++] = grip->from_s;
-  if (isfinite(grip->to_s)) out[n++] = grip->to_s;
+static size_t add_friction_breaks(const rot_drive_friction *friction, double out[]) {
+  if (!friction->acts) return 0;
+  size_t n = rot_axle_scene_breaks(&friction->law, out);
+  if (isfinite(friction->from_s)) out[n++] = friction->from_s;
+  if (isfinite(friction->to_s)) out[n++] = friction->to_s;
   return n;
 }
 
@@ -259,16 +259,16 @@ static rot_status collect_breaks(motion *m) {
   for (size_t i = 0; i < scene->n; i++) {
     room += rot_axle_scene_room(&scene->rotor[i]);
     if (scene->brake[i].acts) room += 2 + rot_axle_scene_room(&scene->brake[i].law);
-    if (i + 1 < scene->n && scene->coupling[i].grip.acts) {
-      room += 2 + rot_axle_scene_room(&scene->coupling[i].grip.law);
+    if (i + 1 < scene->n && scene->coupling[i].friction.acts) {
+      room += 2 + rot_axle_scene_room(&scene->coupling[i].friction.law);
     }
   }
   m->breaks = malloc(room * sizeof *m->breaks);
   if (!m->breaks) return ROT_ENOMEM;
   for (size_t i = 0; i < scene->n; i++) {
     n += rot_axle_scene_breaks(&scene->rotor[i], m->breaks + n);
-    n += add_grip_breaks(&scene->brake[i], m->breaks + n);
-    if (i + 1 < scene->n) n += add_grip_breaks(&scene->coupling[i].grip, m->breaks + n);
+    n += add_friction_breaks(&scene->brake[i], m->breaks + n);
+    if (i + 1 < scene->n) n += add_friction_breaks(&scene->coupling[i].friction, m->breaks + n);
   }
   qsort(m->breaks, n, sizeof *m->breaks, compare);
   m->n_breaks = 0;
@@ -292,13 +292,13 @@ static int law_has_curve(const rot_axle_scene *law) {
 static int has_kinks(const rot_drive_scene *scene) {
   int kinks = 0;
   for (size_t i = 0; i < scene->n; i++) {
-    const rot_drive_grip *grip[] = {&scene->brake[i],
-                                    i + 1 < scene->n ? &scene->coupling[i].grip : NULL};
+    const rot_drive_friction *friction[] = {&scene->brake[i],
+                                            i + 1 < scene->n ? &scene->coupling[i].friction : NULL};
     kinks |= law_has_curve(&scene->rotor[i]);
     kinks |= i + 1 < scene->n && rot_drive_mesh_loses(&scene->coupling[i]);
     for (int k = 0; k < 2; k++) {
-      kinks |=
-          grip[k] && grip[k]->acts && (grip[k]->law.n_terms || grip[k]->law.linear.torque.call);
+      kinks |= friction[k] && friction[k]->acts &&
+               (friction[k]->law.n_terms || friction[k]->law.linear.torque.call);
     }
   }
   return kinks;
@@ -310,7 +310,7 @@ static int calls_law(const rot_drive_scene *scene) {
   for (size_t i = 0; i < scene->n; i++) {
     calls |= scene->rotor[i].linear.torque.call != NULL ||
              scene->brake[i].law.linear.torque.call != NULL;
-    if (i + 1 < scene->n) calls |= scene->coupling[i].grip.law.linear.torque.call != NULL;
+    if (i + 1 < scene->n) calls |= scene->coupling[i].friction.law.linear.torque.call != NULL;
   }
   return calls;
 }
@@ -374,7 +374,7 @@ static rot_status fill_row(motion *m, size_t row, double t, double y[],
     const rot_axle_scene *r = &s->scene->rotor[i];
     const double omega = rot_drive_omega(s, y, i);
     const int last = i + 1 == s->n;
-    out->theta_rad[at] = r->linear.theta0_rad + s->share[i] * y[s->unit_of[i]];
+    out->theta_rad[at] = r->linear.theta0_rad + s->fraction[i] * y[s->unit_of[i]];
     out->omega_rad_per_s[at] = omega;
     out->angular_momentum_kg_m2_per_s[at] = r->linear.inertia_kg_m2 * omega;
     out->rotational_kinetic_energy_j[at] = 0.5 * r->linear.inertia_kg_m2 * omega * omega;
@@ -423,10 +423,10 @@ static rot_status fill_rows(motion *m, size_t n, const double time_s[], double y
 static void note_errors(const motion *m, size_t n_groups, const double error[], rot_info *info,
                         rot_drive_ledger *sums) {
   const double *integral = error + n_groups;
-  info->measure[ROT_THETA].error = error[0] + 4.0 * ROT_EPS * m->most[0];
-  info->measure[ROT_THETA].largest = m->most[0];
+  info->measure[ROT_THETA].error = error[0] + 4.0 * ROT_EPS * m->max[0];
+  info->measure[ROT_THETA].largest = m->max[0];
   info->measure[ROT_OMEGA].error = error[1];
-  info->measure[ROT_OMEGA].largest = m->most[1];
+  info->measure[ROT_OMEGA].largest = m->max[1];
   sums->work_error_j = 2.0 * integral[WORK];
   sums->impulse_error_n_m_s = 2.0 * (integral[TORQUE] + integral[RESISTANCE] + integral[HOUSING]);
   sums->twist_error_rad = n_groups == 3 ? error[2] : 0.0;
@@ -440,11 +440,11 @@ static void note_errors(const motion *m, size_t n_groups, const double error[], 
 
 /* A contact that breaks loose does so without an acceleration where its static capacity is that of
  * sliding: its mode knows the way, the slope is rounding. */
-static int way_of_slip(int mode, size_t component, void *ctx) {
+static int direction_of_slip(int mode, size_t component, void *ctx) {
   const motion *m = ctx;
   for (size_t k = 0; k < m->s.n_contacts; k++) {
-    const signed char way = modes_of(m, mode)[k];
-    if (m->s.contact[k].state == component) return way == ROT_DRIVE_OPEN ? 0 : way;
+    const signed char sign = modes_of(m, mode)[k];
+    if (m->s.contact[k].state == component) return sign == ROT_DRIVE_OPEN ? 0 : sign;
   }
   return 0;
 }
@@ -457,7 +457,7 @@ static size_t list_events(const motion *m, rot_ode_event event[]) {
                                  .component = s->contact[k].state,
                                  .name = ROT_EVENT_REVERSE,
                                  .then = at_zero,
-                                 .side = way_of_slip};
+                                 .side = direction_of_slip};
   }
   for (size_t u = 0; u < s->m; u++) {
     if (s->unit[u].quadratic && s->unit[u].ground == SIZE_MAX) {

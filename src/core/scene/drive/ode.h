@@ -1,4 +1,4 @@
-/* A drive with anything that may act on it, integrated. Each contact sticks or slips in a stretch;
+/* A drive with anything that may act on it, integrated. Each contact sticks or slips in a segment;
  * slip speeds that reach zero, and loads that reach what a contact holds, are events. */
 #ifndef ROT_DRIVE_ODE_H
 #define ROT_DRIVE_ODE_H

@@ -44,10 +44,10 @@ typedef struct rot_drive_system {
   size_t state; /* components: turn and rate of the units, slip speeds, twists */
   rot_drive_unit *unit;
   rot_drive_contact *contact;
-  size_t *unit_of;         /* n */
-  size_t *state_of;        /* n - 1: slip or twist of a coupling; its contact is contact_of */
-  size_t *contact_of;      /* n - 1 */
-  double *product, *share; /* n: P_i; d theta_i / d coordinate of the unit */
+  size_t *unit_of;            /* n */
+  size_t *state_of;           /* n - 1: slip or twist of a coupling; its contact is contact_of */
+  size_t *contact_of;         /* n - 1 */
+  double *product, *fraction; /* n: P_i; d theta_i / d coordinate of the unit */
   /* Of the last call of rot_drive_forces(): */
   double *applied, *smooth;    /* n: torque; viscous and quadratic resistance */
   double *dry, *brake;         /* n: dry friction and brake on the rotor, with sign */

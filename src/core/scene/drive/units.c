@@ -43,8 +43,8 @@ int rot_drive_of_time(const rot_axle_scene *r) {
 int rot_drive_stepped(const rot_axle_scene *r) {
   const rot_torque *knots = &r->linear.torque;
   for (size_t i = 1; i < knots->n; i++) {
-    const int apart = knots->time_s[i] > knots->time_s[i - 1];
-    if (apart && knots->torque_n_m[i] != knots->torque_n_m[i - 1]) return 0;
+    const int difference = knots->time_s[i] > knots->time_s[i - 1];
+    if (difference && knots->torque_n_m[i] != knots->torque_n_m[i - 1]) return 0;
   }
   return !knots->call && !r->n_terms && r->motor_n_m_s == 0.0;
 }

@@ -5,7 +5,7 @@
 #include "ground/real.h"
 #include "maths/attitude.h"
 #include "scene/free/motion.h"
-#include "engine/march.h"
+#include "engine/stepping.h"
 
 typedef struct run {
   const rot_free_params *p;
@@ -89,7 +89,7 @@ static rot_status log_flips(const run *r, size_t n, const double time_s[], rot_e
   const double from = fmin(time_s[0], r->p->start_s), to = fmax(time_s[n - 1], r->p->start_s);
   const double period = 2.0 * m->jacobi.k.hi;
   const double first = floor(phase_of(r, from) / period), last = ceil(phase_of(r, to) / period);
-  if (!(last - first <= ROT_FREE_MOST_FLIPS)) return ROT_OK;
+  if (!(last - first <= ROT_FREE_MAX_FLIPS)) return ROT_OK;
   for (double k = first; k <= last; k++) {
     const double t = flip_at(r, k);
     if (!(t >= from && t <= to)) continue;
@@ -102,13 +102,13 @@ static rot_status log_flips(const run *r, size_t n, const double time_s[], rot_e
 rot_status rot_free_exact(const rot_free_params *p, size_t n, const double time_s[],
                           const rot_free_columns *out, rot_events *events, const rot_hooks *hooks,
                           rot_info *info) {
-  static const rot_march march = {NULL, NULL, NULL, write_row, NULL};
+  static const rot_stepping stepping = {NULL, NULL, NULL, write_row, NULL};
   run r = {.time_s = time_s, .out = out, .info = info};
   rot_info_clear(info, rot_free_measures);
   info->status = begin(p, &r);
   if (info->status != ROT_OK) return info->status;
   rot_free_note(p, r.motion.omega0, 0.0, 0.0, info);
-  const rot_status status = rot_march_rows(&march, &r, p->start_s, n, time_s, hooks, info);
+  const rot_status status = rot_step_rows(&stepping, &r, p->start_s, n, time_s, hooks, info);
   return status == ROT_OK ? info->status = log_flips(&r, n, time_s, events) : status;
 }
 

@@ -53,14 +53,14 @@ rot_status rot_free_write(const rot_free_params *p, const double omega[3], const
 
 void rot_free_note(const rot_free_params *p, const double omega[3], double angle_error,
                    double omega_error, rot_info *info) {
-  double l[3], most = 0.0;
+  double l[3], max = 0.0;
   for (int i = 0; i < 3; i++) {
     l[i] = p->moment_kg_m2[i] * omega[i];
-    most = fmax(most, p->moment_kg_m2[i]);
+    max = fmax(max, p->moment_kg_m2[i]);
   }
   const double size = rot_length(omega), momentum = rot_length(l);
   const double errors[] = {angle_error, omega_error + 4.0 * ROT_EPS * size,
-                           most * omega_error + momentum * (angle_error + 8.0 * ROT_EPS)};
+                           max * omega_error + momentum * (angle_error + 8.0 * ROT_EPS)};
   const double sizes[] = {1.0, size, momentum};
   for (int k = 0; k < 3; k++) {
     rot_note_value(&info->measure[k], sizes[k]);

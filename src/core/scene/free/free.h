@@ -22,7 +22,7 @@ typedef rot_status (*rot_free_law)(double t, const double omega[3], const double
 typedef rot_status (*rot_free_motors)(double t, const double omega[3], const double q[4],
                                       double torque[], void *ctx);
 
-enum { ROT_FREE_MOST_ROTORS = 16 };
+enum { ROT_FREE_MAX_ROTORS = 16 };
 
 /* A rotor that is symmetric about its axis, on which its centre of mass lies. */
 typedef struct rot_free_rotor {
@@ -105,7 +105,7 @@ typedef struct rot_free_columns {
   X(motor_work_j)
 
 enum { ROT_FREE_OWN_COLUMNS = 14 }; /* without those of rotors, two each */
-enum { ROT_FREE_FLOWS = 9, ROT_FREE_MOTOR_WORK = 8, ROT_FREE_MOST_FLIPS = 10000 };
+enum { ROT_FREE_FLOWS = 9, ROT_FREE_MOTOR_WORK = 8, ROT_FREE_MAX_FLIPS = 10000 };
 
 /* Rates in principal axes, attitude of these. */
 void rot_free_principal(const rot_free_params *p, double omega[3], double q[4]);

@@ -8,7 +8,7 @@
 #include "ground/dd_trig.h"
 #include "scene/free/gyrostat_motion.h"
 #include "scene/free/rotors.h"
-#include "engine/march.h"
+#include "engine/stepping.h"
 
 static const rot_dd none = {0.0, 0.0};
 static const double pi = 0x1.921fb54442d18p+1;
@@ -97,7 +97,7 @@ static void begin_scaled(gyrostat *g, int axis, const double m[3], const double 
                          const double spin[], const double speed[]) {
   const rot_free_params *p = g->p;
   rot_dd l[3], h[3] = {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}}, sum = none;
-  double sizes = 0.0, least = 0.0;
+  double sizes = 0.0, min = 0.0;
   for (int i = 0; i < 3; i++) l[i] = rot_dd_mul2(m[i], w[i]);
   for (size_t k = 0; k < p->n_rotors; k++) {
     const rot_dd one = rot_dd_mul2(spin[k], speed[k]);
@@ -111,14 +111,14 @@ static void begin_scaled(gyrostat *g, int axis, const double m[3], const double 
   for (int i = 0; i < 3; i++) {
     l[i] = rot_dd_add(l[i], h[i]);
     sum = rot_dd_add(sum, rot_dd_mul(l[i], l[i]));
-    least += m[i] * fabs(w[i]);
+    min += m[i] * fabs(w[i]);
   }
   const rot_dd momentum = rot_dd_sqrt(sum), by = {a, 0.0};
   g->turn = rot_dd_div(momentum, by);
-  g->turn_size = (sizes + least) / a;
+  g->turn_size = (sizes + min) / a;
   for (int i = 0; i < 3; i++) g->direction[i] = momentum.hi > 0.0 ? l[i].hi / momentum.hi : 0.0;
   g->direction_error =
-      momentum.hi > 0.0 ? fmin(16.0 * ROT_DD_EPS * (sizes + least) / momentum.hi, pi) : 0.0;
+      momentum.hi > 0.0 ? fmin(16.0 * ROT_DD_EPS * (sizes + min) / momentum.hi, pi) : 0.0;
   if (axis < 3) {
     g->axis[axis] = 1.0;
     g->spin = rot_dd_sub(rot_dd_div(l[axis], by), (rot_dd){w[axis], 0.0});
@@ -135,7 +135,7 @@ static void begin_scaled(gyrostat *g, int axis, const double m[3], const double 
 }
 
 static rot_status begin(const rot_free_params *p, gyrostat *g) {
-  double w[3], m[3], spin[ROT_FREE_MOST_ROTORS], speed[ROT_FREE_MOST_ROTORS], most = 0.0;
+  double w[3], m[3], spin[ROT_FREE_MAX_ROTORS], speed[ROT_FREE_MAX_ROTORS], max = 0.0;
   int scale;
   memset(g, 0, sizeof *g);
   g->p = p;
@@ -146,13 +146,13 @@ static rot_status begin(const rot_free_params *p, gyrostat *g) {
   (void)frexp(fmax(p->moment_kg_m2[0], fmax(p->moment_kg_m2[1], p->moment_kg_m2[2])), &scale);
   for (int i = 0; i < 3; i++) {
     m[i] = ldexp(p->moment_kg_m2[i], -scale);
-    most = fmax(most, fabs(w[i]));
+    max = fmax(max, fabs(w[i]));
   }
   for (size_t k = 0; k < p->n_rotors; k++) {
     spin[k] = ldexp(p->rotors[k].moment_kg_m2, -scale);
-    most = fmax(most, spin[k] * fabs(p->rotors[k].omega_rad_per_s));
+    max = fmax(max, spin[k] * fabs(p->rotors[k].omega_rad_per_s));
   }
-  (void)frexp(most, &g->exponent);
+  (void)frexp(max, &g->exponent);
   for (size_t k = 0; k < p->n_rotors; k++) {
     speed[k] = ldexp(p->rotors[k].omega_rad_per_s, -g->exponent);
   }
@@ -249,7 +249,7 @@ static rot_status write_row(void *model, size_t i) {
 rot_status rot_free_gyrostat(const rot_free_params *p, size_t n, const double time_s[],
                              const rot_free_columns *out, rot_events *events,
                              const rot_hooks *hooks, rot_info *info) {
-  static const rot_march march = {NULL, NULL, NULL, write_row, NULL};
+  static const rot_stepping stepping = {NULL, NULL, NULL, write_row, NULL};
   gyrostat g;
   (void)events;
   rot_info_clear(info, rot_free_measures);
@@ -259,5 +259,5 @@ rot_status rot_free_gyrostat(const rot_free_params *p, size_t n, const double ti
   g.out = out;
   g.info = info;
   rot_free_rotors_note(&g.rotors, g.rotors.omega0, 0.0, 0.0, info);
-  return rot_march_rows(&march, &g, p->start_s, n, time_s, hooks, info);
+  return rot_step_rows(&stepping, &g, p->start_s, n, time_s, hooks, info);
 }

@@ -165,7 +165,7 @@ static rot_status find_rates(const given *in, rot_gyrostat_motion *g, rates *out
   g->x1 = x1.hi, g->x2 = x2.hi;
   g->k = k.hi, g->square = k2.hi;
   g->root_m1 = sqrt(m1.hi);
-  g->way = away ? 1.0 : -1.0;
+  g->direction = away ? 1.0 : -1.0;
   g->d1 = d1.hi, g->d2 = d2.hi;
   /* e/(1 - eta^2) times the integral of cn/(1 + nu sn^2), and the third kind */
   const rot_dd of_m = rot_dd_sub(one, m1);
@@ -238,8 +238,8 @@ static double repeats(const rot_gyrostat_motion *g, const phase *at, double *rou
 /* The smallest turn from L to r. */
 static void smallest(const rot_gyrostat_motion *g, const double l[2], double away, double q[4]) {
   q[0] = away;
-  q[1] = g->way * l[1];
-  q[2] = -g->way * l[0];
+  q[1] = g->direction * l[1];
+  q[2] = -g->direction * l[0];
   q[3] = 0.0;
   (void)rot_attitude_unit(q);
 }
@@ -300,16 +300,16 @@ rot_status rot_gyrostat_begin(const rot_dd moment[3], const double omega[3], rot
                               rot_gyrostat_motion *out) {
   given in = {{moment[0], moment[1], moment[2]}, {none, none, none}, h};
   rates r;
-  double l[2], x, away, rounding, least = INFINITY, size = fabs(h.hi);
+  double l[2], x, away, rounding, min = INFINITY, size = fabs(h.hi);
   phase at;
   memset(out, 0, sizeof *out);
   for (int i = 0; i < 3; i++) {
     in.omega[i].hi = out->omega0[i] = omega[i];
     out->moment[i] = moment[i].hi;
-    least = fmin(least, moment[i].hi);
+    min = fmin(min, moment[i].hi);
     size += moment[i].hi * fabs(omega[i]);
   }
-  out->size = 2.0 * size / least;
+  out->size = 2.0 * size / min;
   if (is_steady(&in)) {
     begin_steady(&in, out);
     return ROT_OK;
@@ -323,14 +323,14 @@ rot_status rot_gyrostat_begin(const rot_dd moment[3], const double omega[3], rot
   rot_jacobi_begin(r.m1, &out->jacobi);
   /* signs: x grows where the product of D, L1 and L2 is positive */
   const double l1 = moment[0].hi * omega[0], l2 = moment[1].hi * omega[1];
-  const double way =
+  const double direction =
       moment[0].hi > moment[1].hi || (moment[0].hi == moment[1].hi && moment[0].lo > moment[1].lo)
           ? 1.0
           : -1.0;
   const int kept = out->low != out->high ? out->high : 1 - out->low;
   const double lead = kept ? l2 : l1, other = kept ? l1 : l2;
   out->sign_high = lead < 0.0 ? -1.0 : 1.0;
-  out->sign_low = way * out->sign_high;
+  out->sign_low = direction * out->sign_high;
   const double sense = other * out->sign_low < 0.0 ? -1.0 : 1.0;
   /* the argument at the start */
   double sn = sense * r.start_sn.hi, cn = r.start_cn.hi;
@@ -351,8 +351,8 @@ rot_status rot_gyrostat_begin(const rot_dd moment[3], const double omega[3], rot
   momenta(out, &at, l, &x, &away);
   out->psi0 = repeats(out, &at, &rounding);
   const double l0[2] = {l1, l2};
-  smallest(out, l0, out->momentum + out->way * (moment[2].hi * omega[2] + h.hi), out->first);
-  if (!(out->momentum + out->way * (moment[2].hi * omega[2] + h.hi) > 0.01 * out->momentum)) {
+  smallest(out, l0, out->momentum + out->direction * (moment[2].hi * omega[2] + h.hi), out->first);
+  if (!(out->momentum + out->direction * (moment[2].hi * omega[2] + h.hi) > 0.01 * out->momentum)) {
     smallest(out, l, away, out->first);
   }
   for (int i = 1; i < 4; i++) out->first[i] = -out->first[i];
@@ -379,7 +379,7 @@ void rot_gyrostat_at(const rot_gyrostat_motion *g, rot_dd t, double q[4], double
   momenta(g, &at, l, &x, &away);
   smallest(g, l, away, q);
   const double psi = rot_dd_less_double_turns(turned).hi + (repeats(g, &at, &rounding) - g->psi0);
-  const double turn[4] = {cos(0.5 * psi), 0.0, 0.0, g->way * sin(0.5 * psi)};
+  const double turn[4] = {cos(0.5 * psi), 0.0, 0.0, g->direction * sin(0.5 * psi)};
   rot_attitude_times(turn, q, q);
   rot_attitude_times(g->first, q, q);
   (void)rot_attitude_unit(q);
@@ -389,7 +389,7 @@ void rot_gyrostat_at(const rot_gyrostat_motion *g, rot_dd t, double q[4], double
   const double du = g->start_error + fabs(u.hi) * (8.0 * ROT_DD_EPS + g->lambda_error) +
                     (fabs(at.turns) + 1.0) * (g->m1_error + 16.0 * ROT_DD_EPS);
   /* What a shift of the argument does: q beside its turn about L, and omega. */
-  const double z = g->way * (away - g->momentum), lz[3] = {l[0], l[1], z};
+  const double z = g->direction * (away - g->momentum), lz[3] = {l[0], l[1], z};
   double tilt = 0.0, slope = 0.0;
   for (int i = 0; i < 3; i++) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;

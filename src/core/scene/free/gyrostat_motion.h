@@ -39,7 +39,7 @@ typedef struct rot_gyrostat_motion {
   rot_jacobi jacobi;
   double root_m1;
   rot_dd lambda, start, psi;               /* of the functions' argument; psi: its mean rate */
-  double way, d1, d2;                      /* r; |L| (1 + l.r) at x1 and x2 */
+  double direction, d1, d2;                /* r; |L| (1 + l.r) at x1 and x2 */
   double turn, turn_root, nu, swing, mean; /* of the parts of psi that repeat */
   double first[4], psi0;                   /* at the start */
   double start_error, lambda_error, psi_error, m1_error; /* relative; of psi absolute */

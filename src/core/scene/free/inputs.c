@@ -148,8 +148,8 @@ static rot_status read_rotors(const rot_given *rotors, size_t input, rot_free_bu
                               rot_refusal *no) {
   rot_free_params *p = &built->params;
   if (!rotors->is) return ROT_OK;
-  if (rotors->n > ROT_FREE_MOST_ROTORS) {
-    return rot_refuse(no, input, "must be at most %d; it is a list of %zu", ROT_FREE_MOST_ROTORS,
+  if (rotors->n > ROT_FREE_MAX_ROTORS) {
+    return rot_refuse(no, input, "must be at most %d; it is a list of %zu", ROT_FREE_MAX_ROTORS,
                       rotors->n);
   }
   for (size_t k = 0; k < rotors->n && rotors->is == ROT_INPUT_LIST; k++) {

@@ -13,8 +13,8 @@ typedef struct rot_free_built {
   rot_free_params params;
   double mass_kg, centre_m[3]; /* of a body with a fixed point; the centre of mass from there */
   rot_law law;                 /* of the torque */
-  rot_free_rotor rotor[ROT_FREE_MOST_ROTORS];
-  rot_law motor[ROT_FREE_MOST_ROTORS]; /* call NULL: it has none */
+  rot_free_rotor rotor[ROT_FREE_MAX_ROTORS];
+  rot_law motor[ROT_FREE_MAX_ROTORS]; /* call NULL: it has none */
 } rot_free_built;
 
 /* rot_constraint.build and .start_s */

@@ -18,18 +18,18 @@ enum { Q, RATES = 4, ROTORS = ROT_FREE_OWN_COLUMNS };                   /* colum
 /* ---- flows of closed forms ------------------------------------------------------------------- */
 
 void rot_free_exact_flows(const rot_free_params *p, const rot_task *task, const rot_rows *rows) {
-  double most[ROT_FREE_FLOWS] = {0.0}, damping = 0.0;
+  double max[ROT_FREE_FLOWS] = {0.0}, damping = 0.0;
   for (size_t i = 0; i < task->n; i++) {
     double flow[ROT_FREE_FLOWS];
     rot_free_flows(p, p->start_s, task->time_s[i], flow);
     for (int k = 0; k < ROT_FREE_FLOWS; k++) {
       rows->flow[k][i] = flow[k];
-      most[k] = fmax(most[k], fabs(flow[k]));
+      max[k] = fmax(max[k], fabs(flow[k]));
     }
   }
-  for (int k = DAMPING; k < MOTORS; k++) damping = fmax(damping, most[k]);
+  for (int k = DAMPING; k < MOTORS; k++) damping = fmax(damping, max[k]);
   for (int k = 0; k < ROT_FREE_FLOWS; k++) {
-    rows->flow_error[k] = 8.0 * DBL_EPSILON * (k < DAMPING || k == MOTORS ? most[k] : damping);
+    rows->flow_error[k] = 8.0 * DBL_EPSILON * (k < DAMPING || k == MOTORS ? max[k] : damping);
   }
 }
 
@@ -182,7 +182,7 @@ int rot_free_motors_work(const rot_free_params *p) {
 }
 
 /* A torque in space axes leaves the components of L alone that it has none along. */
-size_t rot_free_keeps(const void *scene, size_t balance, const char *why[]) {
+size_t rot_free_conserved(const void *scene, size_t balance, const char *why[]) {
   const rot_free_params *p = scene;
   const int along = balance && p->in_space ? (int)balance - 1 : -1;
   size_t n = 0;
@@ -195,14 +195,14 @@ size_t rot_free_keeps(const void *scene, size_t balance, const char *why[]) {
 }
 
 /* Rotors turn the body beyond the rates of one without. */
-void rot_free_pace(const void *scene, const double sizes[], rot_pace *pace) {
+void rot_free_time_scales(const void *scene, const double sizes[], rot_time_scales *time_scales) {
   const rot_free_params *p = scene;
   const double *m = p->moment_kg_m2;
   double spins = 0.0;
   for (size_t k = 0; k < p->n_rotors; k++) {
     spins += fabs(p->rotors[k].moment_kg_m2 * p->rotors[k].omega_rad_per_s);
   }
-  pace->fades_s = p->damping_per_s > 0.0 ? 1.0 / p->damping_per_s : INFINITY;
-  pace->swing_rad_per_s =
+  time_scales->fades_s = p->damping_per_s > 0.0 ? 1.0 / p->damping_per_s : INFINITY;
+  time_scales->swing_rad_per_s =
       2.0 * sizes[ROT_FREE_OMEGA] + 2.0 * spins / fmax(fmin(m[0], fmin(m[1], m[2])), 1e-300);
 }

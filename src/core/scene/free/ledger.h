@@ -31,12 +31,12 @@ void rot_free_exact_flows(const rot_free_params *p, const rot_task *task, const 
 void rot_free_gyrostat_flows(const rot_free_params *p, const rot_task *task, const rot_rows *rows,
                              const rot_info *info);
 
-/* rot_constraint.audit, .explain, .keeps, .pace */
+/* rot_constraint.audit, .explain, .conserved, .time_scales */
 void rot_free_audit(const void *scene, const rot_span *span, double term[]);
 void rot_free_explain(const void *scene, const rot_span *span, const double term[],
                       double explained[]);
-size_t rot_free_keeps(const void *scene, size_t balance, const char *why[]);
-void rot_free_pace(const void *scene, const double sizes[], rot_pace *pace);
+size_t rot_free_conserved(const void *scene, size_t balance, const char *why[]);
+void rot_free_time_scales(const void *scene, const double sizes[], rot_time_scales *time_scales);
 
 /* Whether the torque has a part along an axis of those in which it is given; k < 0: along any. */
 int rot_free_acts_along(const rot_free_params *p, int k);

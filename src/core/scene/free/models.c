@@ -73,7 +73,7 @@ double rot_free_integrated_s(const rot_model *model, const void *of, const rot_q
   double rate = 0.0;
   rot_free_rotors rotors;
   for (int i = 0; i < 3; i++) rate = hypot(rate, p->omega0_rad_per_s[i]);
-  if (p->n_rotors && !rot_free_rotors_begin(p, &rotors)) rate += rotors.size / rotors.least;
+  if (p->n_rotors && !rot_free_rotors_begin(p, &rotors)) rate += rotors.size / rotors.min;
   const double calls = p->law || p->motors ? query->law_s : 0.0;
   const double turns = (rate + fabs(p->damping_per_s)) * (to - from);
   const double steps = 10.0 + 3.0 * (double)p->n_breaks +
@@ -145,7 +145,7 @@ const rot_constraint rot_free_constraint = {
     .terms = terms,
     .audit = rot_free_audit,
     .explain = rot_free_explain,
-    .keeps = rot_free_keeps,
-    .pace = rot_free_pace,
+    .conserved = rot_free_conserved,
+    .time_scales = rot_free_time_scales,
     .shows = rot_free_shows,
 };

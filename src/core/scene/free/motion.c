@@ -5,7 +5,7 @@
 #include <math.h>
 
 #include "maths/attitude.h"
-#include "scene/free/pass.h"
+#include "scene/free/kernel.h"
 #include "ground/dd_trig.h"
 
 static const rot_dd none = {0.0, 0.0};
@@ -173,10 +173,10 @@ static void begin_tumbling(const double w[3], const constants *k, rot_dd dcm,
   const int o = out->o, c = out->c;
   const rot_dd x = o == 0 ? k->p : k->r, y = o == 0 ? k->r : k->p;
   const rot_dd dco = difference(moment[2], moment[0]);
-  const double side = k->near[o] < 0.0 ? -1.0 : 1.0, way = k->near[c] < 0.0 ? -1.0 : 1.0;
+  const double side = k->near[o] < 0.0 ? -1.0 : 1.0, direction = k->near[c] < 0.0 ? -1.0 : 1.0;
   out->amplitude[o] = side * root_of(rot_dd_div(x, rot_dd_mul1(dco, moment[o])));
-  out->amplitude[c] = way * root_of(rot_dd_div(y, rot_dd_mul1(dco, moment[c])));
-  out->amplitude[1] = side * way * root_of(rot_dd_div(x, rot_dd_mul1(dcm, moment[1])));
+  out->amplitude[c] = direction * root_of(rot_dd_div(y, rot_dd_mul1(dco, moment[c])));
+  out->amplitude[1] = side * direction * root_of(rot_dd_div(x, rot_dd_mul1(dcm, moment[1])));
   if (k->far) {
     rot_jacobi_begin_far(k->root, k->root_halvings, &out->jacobi);
   } else {
@@ -201,7 +201,7 @@ static void begin_tumbling(const double w[3], const constants *k, rot_dd dcm,
   const int is_x = lead == (out->r + 1) % 3;
   out->quarter =
       is_x ? (out->amplitude[lead] < 0.0 ? -1 : 1) : (out->amplitude[lead] < 0.0 ? 2 : 0);
-  out->turns = lead == c ? 0 : is_x ? (way < 0.0 ? 1 : -1) : (way < 0.0 ? -1 : 1);
+  out->turns = lead == c ? 0 : is_x ? (direction < 0.0 ? 1 : -1) : (direction < 0.0 ? -1 : 1);
   double l[3], ct, st, cc, sc, sn, cn, dn;
   for (int i = 0; i < 3; i++) l[i] = moment[i] * w[i];
   angles_of(out, l, &ct, &st, &cc, &sc);
@@ -299,19 +299,19 @@ rot_status rot_free_begin(const double moment_kg_m2[3], const double omega_rad_p
     return ROT_OK;
   }
   if (out->moment[0] == 0.0) { /* a rod: it turns steadily about an axis across it */
-    const double apart = out->moment[2] - out->moment[1];
-    if (w[0] != 0.0 || apart > 1e-12 * out->moment[2]) return ROT_EVALUE;
+    const double gap = out->moment[2] - out->moment[1];
+    if (w[0] != 0.0 || gap > 1e-12 * out->moment[2]) return ROT_EVALUE;
     begin_steady(w, out);
-    out->given = fmax(given, apart / out->moment[2]);
+    out->given = fmax(given, gap / out->moment[2]);
     return ROT_OK;
   }
   if (out->moment[0] < 1e-100) return ROT_ERANGE;
   constants k = {{w[0], w[1], w[2]}, 0, 0, none, 0.0, none, none, none, none, none, none, none};
   const double a = omega_rad_per_s[out->order[0]], b = omega_rad_per_s[out->order[2]];
-  const double most = fmax(fabs(a), fabs(b));
-  if (most > 0.0) {
+  const double max = fmax(fabs(a), fabs(b));
+  if (max > 0.0) {
     int e;
-    (void)frexp(most, &e);
+    (void)frexp(max, &e);
     if (out->exponent - e > 64) { /* exact, also where w is too small for a double */
       k.halvings = out->exponent - e;
       k.near[0] = ldexp(a, -e);

@@ -19,14 +19,17 @@
 /* Times are in the unit 2^-exponent s, moments in parts of a power of two. */
 typedef struct rot_free_motion {
   int exponent;
-  int order[3];      /* sorted axis k is axis order[k] of the body, */
-  double sign[3];    /* in this sense: right-handed, too */
-  double moment[3];  /* sorted */
-  double omega0[3];  /* as given */
-  int still;         /* does not turn */
-  int steady;        /* omega is constant */
-  double axis[3];    /* unit vector along omega, sorted: where it is constant */
-  int o, c, r, lead; /* axes of cn and dn; reference axis of psi; the one of o and c that is not */
+  int order[3];     /* sorted axis k is axis order[k] of the body, */
+  double sign[3];   /* in this sense: right-handed, too */
+  double moment[3]; /* sorted */
+  double omega0[3]; /* as given */
+  int still;        /* does not turn */
+  int steady;       /* omega is constant */
+  double axis[3];   /* unit vector along omega, sorted: where it is constant */
+  int o;            /* axis of cn */
+  int c;            /* axis of dn */
+  int r;            /* reference axis of psi */
+  int lead;         /* of o and c, the one that is not r */
   double amplitude[3];
   double momentum;           /* |L| */
   rot_dd lambda, start, psi; /* u = lambda t + start; psi: its mean rate */

@@ -12,7 +12,7 @@
 
 /* The state: q since the start, in the principal axes there; L in principal axes; momenta of the
  * rotors that have one of their own. Then what the torques did, without rotors all but the last. */
-enum { MOMENTUM = 4, ROTORS = 7, MOST = ROTORS + ROT_FREE_MOST_ROTORS + ROT_FREE_FLOWS };
+enum { MOMENTUM = 4, ROTORS = 7, MAX = ROTORS + ROT_FREE_MAX_ROTORS + ROT_FREE_FLOWS };
 
 typedef struct motion {
   const rot_free_params *p;
@@ -21,14 +21,14 @@ typedef struct motion {
   double q0[4];                     /* of the principal axes at the start */
   double omega0[3];
   int middle;
-  rot_events seen; /* of all marches, those that count */
+  rot_events seen; /* of all runs, those that count */
 } motion;
 
 /* One run at an accuracy. */
 typedef struct run {
   rot_info info;
   rot_events events;
-  double *y, error[MOST], largest[MOST];
+  double *y, error[MAX], largest[MAX];
   double measure[3]; /* errors of the measures */
 } run;
 
@@ -105,7 +105,7 @@ static double rise(double t, const double y[], void *ctx) {
 
 /* Logs whether the centre of mass is highest or lowest, by its rise a little later. */
 static void note_turn(double t, const double y[], motion *m, rot_events *events) {
-  double f[MOST], later[MOST];
+  double f[MAX], later[MAX];
   if (rhs(t, y, f, m) != ROT_OK) return;
   const double rate = hypot(hypot(f[0], f[1]), hypot(f[2], f[3]));
   const double h = 1e-6 / (rate > 0.0 ? rate : 1.0);
@@ -184,10 +184,10 @@ static rot_status fill_rows(const motion *m, size_t n, const double y[],
 /* Errors of the groups as those of the measures; L in space has that of the attitude, too. The
  * momenta of rotors count as angular momentum. */
 static void measure_errors(const motion *m, run *r) {
-  const double least = m->rotors.least;
+  const double min = m->rotors.min;
   const double own = m->groups > 2 ? sqrt((double)m->rotors.n_states) * r->error[2] : 0.0;
   r->measure[ROT_FREE_ATTITUDE] = r->error[0];
-  r->measure[ROT_FREE_OMEGA] = (r->error[1] + own) / least;
+  r->measure[ROT_FREE_OMEGA] = (r->error[1] + own) / min;
   r->measure[ROT_FREE_MOMENTUM] = fmax(r->error[1] + r->largest[1] * r->error[0], own);
 }
 
@@ -223,14 +223,14 @@ static rot_status run_at(motion *m, const rot_free_ode_options *options, double 
                                   {4, 3, ROT_ODE_VECTOR},
                                   {ROTORS, m->rotors.n_states, ROT_ODE_VECTOR}};
   const rot_free_params *p = m->p;
-  double start[MOST] = {1.0};
+  double start[MAX] = {1.0};
   for (int k = 0; k < 3; k++) start[MOMENTUM + k] = m->rotors.momentum0[k];
   for (size_t k = 0; k < m->rotors.n_states; k++) start[ROTORS + k] = m->rotors.start[k];
   /* A motion that begins in the noise of its torque has no digits to be looked for. */
   const double late =
       n ? fmax(fabs(time_s[0] - p->start_s), fabs(time_s[n - 1] - p->start_s)) : 0.0;
   const double off = 2.0 * p->law_noise_n_m;
-  const double noise[] = {off / m->rotors.least * late, off, off};
+  const double noise[] = {off / m->rotors.min * late, off, off};
   const int weight = rot_free_has_weight(p);
   const rot_ode_event zero = {.g = weight ? rise : NULL,
                               .component = (size_t)(MOMENTUM + (m->middle < 0 ? 0 : m->middle)),
@@ -268,7 +268,7 @@ static rot_status run_at(motion *m, const rot_free_ode_options *options, double 
   return kept == ROT_OK ? status : kept;
 }
 
-static double rates_apart(const motion *m, const double x[], const double z[]) {
+static double rates_difference(const motion *m, const double x[], const double z[]) {
   double a[3], b[3];
   omega_of(m, x, a);
   omega_of(m, z, b);
@@ -282,20 +282,20 @@ static void differences(const motion *m, const run *a, const run *b, double meas
   memset(flow, 0, ROT_FREE_FLOWS * sizeof *flow);
   for (size_t i = 0; i < a->info.rows_done; i++) {
     const double *x = a->y + i * m->dim, *z = b->y + i * m->dim;
-    double lx[3], lz[3], apart = 0.0, rate = 0.0, own = 0.0;
+    double lx[3], lz[3], difference = 0.0, rate = 0.0, own = 0.0;
     rot_attitude_to_space(x, x + MOMENTUM, lx);
     rot_attitude_to_space(z, z + MOMENTUM, lz);
     for (int k = 0; k < 3; k++) {
-      apart = hypot(apart, lx[k] - lz[k]);
+      difference = hypot(difference, lx[k] - lz[k]);
       rate = hypot(rate, (x[MOMENTUM + k] - z[MOMENTUM + k]) / m->p->moment_kg_m2[k]);
     }
-    if (m->rotors.n) rate = rates_apart(m, x, z);
+    if (m->rotors.n) rate = rates_difference(m, x, z);
     for (size_t k = 0; k < m->rotors.n_states; k++) {
       own = hypot(own, x[ROTORS + k] - z[ROTORS + k]);
     }
     measure[ROT_FREE_ATTITUDE] = fmax(measure[ROT_FREE_ATTITUDE], rot_attitude_angle(x, z));
     measure[ROT_FREE_OMEGA] = fmax(measure[ROT_FREE_OMEGA], rate);
-    measure[ROT_FREE_MOMENTUM] = fmax(measure[ROT_FREE_MOMENTUM], fmax(apart, own));
+    measure[ROT_FREE_MOMENTUM] = fmax(measure[ROT_FREE_MOMENTUM], fmax(difference, own));
     for (size_t k = 0; k < m->flows; k++) {
       flow[k] = fmax(flow[k], fabs(x[m->state + k] - z[m->state + k]));
     }
@@ -307,17 +307,18 @@ static void differences(const motion *m, const run *a, const run *b, double meas
  * it has kinks. */
 static void judge(const motion *m, run *a, const run *finer) {
   const double rounding = 2.0 * ROT_EPS * sqrt(1.0 + (double)a->info.steps);
-  const double most = m->p->law || m->p->motors ? 0.9 : 0.5, least = m->rotors.least;
+  const double max = m->p->law || m->p->motors ? 0.9 : 0.5, min = m->rotors.min;
   const double momentum = hypot(a->largest[1], m->groups > 2 ? a->largest[2] : 0.0);
-  const double size[3] = {1.0, momentum / least, momentum};
-  double apart[3], flow[ROT_FREE_FLOWS];
-  differences(m, a, finer, apart, flow);
+  const double size[3] = {1.0, momentum / min, momentum};
+  double difference[3], flow[ROT_FREE_FLOWS];
+  differences(m, a, finer, difference, flow);
   for (int k = 0; k < 3; k++) {
-    a->measure[k] = 1.02 * apart[k] + fmin(finer->measure[k], most * apart[k]) + rounding * size[k];
+    a->measure[k] =
+        1.02 * difference[k] + fmin(finer->measure[k], max * difference[k]) + rounding * size[k];
   }
   for (size_t k = 0; k < m->flows; k++) {
     const size_t at = m->groups + k;
-    a->error[at] = flow[k] + fmin(finer->error[at], most * flow[k]) + rounding * a->largest[at];
+    a->error[at] = flow[k] + fmin(finer->error[at], max * flow[k]) + rounding * a->largest[at];
   }
 }
 
@@ -360,7 +361,7 @@ static rot_status run_twice(motion *m, const rot_free_ode_options *options, size
 
 /* The events of a run. A body that is released at a turn has one there, as in closed form. */
 static rot_status give_events(motion *m, const rot_events *log, rot_events *events) {
-  double y[MOST] = {1.0};
+  double y[MAX] = {1.0};
   rot_events start = {0};
   rot_status status = ROT_OK;
   for (int k = 0; k < 3; k++) y[MOMENTUM + k] = m->rotors.momentum0[k];

@@ -10,10 +10,10 @@
 const char *const rot_free_arguments[] = {"omega_rad_per_s:3", "attitude:4", NULL};
 
 void rot_free_read_attitude(const double given[4], double q[4]) {
-  double apart = 0.0;
+  double difference = 0.0;
   (void)rot_attitude_from(ROT_FORM_QUATERNION, given, NULL, q);
-  for (int i = 0; i < 4; i++) apart = fmax(apart, fabs(q[i] - given[i]));
-  if (apart <= 8.0 * ROT_EPS) memcpy(q, given, 4 * sizeof *q);
+  for (int i = 0; i < 4; i++) difference = fmax(difference, fabs(q[i] - given[i]));
+  if (difference <= 8.0 * ROT_EPS) memcpy(q, given, 4 * sizeof *q);
 }
 
 /* ---- tables of torques ----------------------------------------------------------------------- */

@@ -47,7 +47,7 @@ static int invert_tensor(const rot_free_params *p, rot_free_rotors *out) {
     norm = fmax(norm, fabs(row[0]) + fabs(row[1]) + fabs(row[2]));
     for (int j = 0; j < 3; j++) row[j] = ldexp(row[j], -scale);
   }
-  out->least = ldexp(1.0 / norm, scale);
+  out->min = ldexp(1.0 / norm, scale);
   return 1;
 }
 
@@ -56,10 +56,10 @@ const char *rot_free_rotors_begin(const rot_free_params *p, rot_free_rotors *out
   memset(out, 0, sizeof *out);
   out->p = p;
   out->n = p->n_rotors;
-  out->least = fmin(p->moment_kg_m2[0], fmin(p->moment_kg_m2[1], p->moment_kg_m2[2]));
+  out->min = fmin(p->moment_kg_m2[0], fmin(p->moment_kg_m2[1], p->moment_kg_m2[2]));
   rot_free_principal(p, out->omega0, q);
   for (int i = 0; i < 3; i++) out->momentum0[i] = p->moment_kg_m2[i] * out->omega0[i];
-  if (!(out->least > 0.0)) return "the body has an axis without moment";
+  if (!(out->min > 0.0)) return "the body has an axis without moment";
   for (size_t k = 0; k < out->n; k++) {
     const rot_free_rotor *rotor = &p->rotors[k];
     const double spin = rotor->moment_kg_m2 * rotor->omega_rad_per_s;
@@ -130,7 +130,7 @@ static double knots_at(const rot_free_rotor *rotor, double t) {
 rot_status rot_free_rotors_torque(const rot_free_rotors *r, double t, const double omega[3],
                                   const double q[4], double torque[]) {
   const rot_free_params *p = r->p;
-  double more[ROT_FREE_MOST_ROTORS] = {0.0};
+  double more[ROT_FREE_MAX_ROTORS] = {0.0};
   if (p->motors) {
     double own_q[4] = {q[0], q[1], q[2], q[3]}, own[3] = {omega[0], omega[1], omega[2]};
     if (p->turned) {
@@ -152,7 +152,7 @@ rot_status rot_free_rotors_torque(const rot_free_rotors *r, double t, const doub
 rot_status rot_free_rotors_slopes(const rot_free_rotors *r, double t, const double omega[3],
                                   const double q[4], const double s[], double slope[],
                                   double *power) {
-  double torque[ROT_FREE_MOST_ROTORS], speed[ROT_FREE_MOST_ROTORS];
+  double torque[ROT_FREE_MAX_ROTORS], speed[ROT_FREE_MAX_ROTORS];
   const rot_status status = rot_free_rotors_torque(r, t, omega, q, torque);
   *power = 0.0;
   if (status != ROT_OK) return status;
@@ -174,20 +174,19 @@ double rot_free_rotors_driven_work(const rot_free_rotors *r, const double omega[
 
 void rot_free_rotors_note(const rot_free_rotors *r, const double omega[3], double angle_error,
                           double omega_error, rot_info *info) {
-  const double *m = r->p->moment_kg_m2, most = fmax(m[0], fmax(m[1], m[2]));
-  const double size = rot_length(r->momentum0) + r->size + most * rot_length(omega);
+  const double *m = r->p->moment_kg_m2, max = fmax(m[0], fmax(m[1], m[2]));
+  const double size = rot_length(r->momentum0) + r->size + max * rot_length(omega);
   rot_measure *momentum = &info->measure[ROT_FREE_MOMENTUM];
   rot_free_note(r->p, omega, angle_error, omega_error, info);
   rot_note_value(momentum, rot_length(r->momentum0));
   rot_note_value(momentum, r->size);
-  momentum->error =
-      fmax(momentum->error, most * omega_error + size * (angle_error + 8.0 * ROT_EPS));
+  momentum->error = fmax(momentum->error, max * omega_error + size * (angle_error + 8.0 * ROT_EPS));
 }
 
 rot_status rot_free_rotors_write(const rot_free_rotors *r, const double omega[3], const double q[4],
                                  const double s[], size_t i, const rot_free_columns *out) {
   const rot_free_params *p = r->p;
-  double speed[ROT_FREE_MOST_ROTORS], l[3], space[3], sum = 0.0;
+  double speed[ROT_FREE_MAX_ROTORS], l[3], space[3], sum = 0.0;
   double energy = 0.0;
   rot_free_rotors_speeds(r, omega, s, speed);
   for (int j = 0; j < 3; j++) {

@@ -17,14 +17,14 @@
 
 typedef struct rot_free_rotors {
   const rot_free_params *p;
-  size_t n, n_states;                            /* rotors; those that are not driven */
-  size_t state[ROT_FREE_MOST_ROTORS];            /* of such a rotor: which s is its own */
-  double axis[ROT_FREE_MOST_ROTORS][3];          /* principal axes */
-  double inverse[3][3];                          /* of I - sum J a a* */
-  double least;                                  /* a lower bound on the moments of that */
-  double driven[3];                              /* their sum of J W a */
-  double omega0[3], start[ROT_FREE_MOST_ROTORS]; /* s at the start */
-  double momentum0[3], size;                     /* L there; the sum of sizes of rotors' J W */
+  size_t n, n_states;                           /* rotors; those that are not driven */
+  size_t state[ROT_FREE_MAX_ROTORS];            /* of such a rotor: which s is its own */
+  double axis[ROT_FREE_MAX_ROTORS][3];          /* principal axes */
+  double inverse[3][3];                         /* of I - sum J a a* */
+  double min;                                   /* a lower bound on the moments of that */
+  double driven[3];                             /* their sum of J W a */
+  double omega0[3], start[ROT_FREE_MAX_ROTORS]; /* s at the start */
+  double momentum0[3], size;                    /* L there; the sum of sizes of rotors' J W */
 } rot_free_rotors;
 
 /* NULL, or why the rates are not determined. Without rotors omega is L over the moments. */

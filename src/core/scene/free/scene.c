@@ -21,7 +21,7 @@ void rot_free_out_of(void *const column[], rot_free_out *out) {
 #define X(type, name) out->columns.name = column[i++];
   ROT_FREE_COLUMNS(X)
 #undef X
-  for (size_t k = 0; k < ROT_FREE_MOST_ROTORS; k++) {
+  for (size_t k = 0; k < ROT_FREE_MAX_ROTORS; k++) {
     out->omega[k] = column[i++];
     out->momentum[k] = column[i++];
   }

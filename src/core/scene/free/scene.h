@@ -6,7 +6,7 @@
 #include "scene/free/free.h"
 
 enum { ROT_FREE_MODELS = 8 };
-enum { ROT_FREE_ALL_COLUMNS = ROT_FREE_OWN_COLUMNS + 2 * ROT_FREE_MOST_ROTORS };
+enum { ROT_FREE_ALL_COLUMNS = ROT_FREE_OWN_COLUMNS + 2 * ROT_FREE_MAX_ROTORS };
 
 /* clang-format off */
 #define ROT_FREE_ROTOR(k, with)                                                                    \
@@ -38,7 +38,7 @@ int rot_free_shows(const void *scene, size_t column);
 /* Where a run writes. */
 typedef struct rot_free_out {
   rot_free_columns columns;
-  double *omega[ROT_FREE_MOST_ROTORS], *momentum[ROT_FREE_MOST_ROTORS];
+  double *omega[ROT_FREE_MAX_ROTORS], *momentum[ROT_FREE_MAX_ROTORS];
 } rot_free_out;
 void rot_free_out_of(void *const column[], rot_free_out *out);
 

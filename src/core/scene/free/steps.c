@@ -16,7 +16,7 @@
  * gravity's work, which the height tells), and the momenta of the rotors that have one of their
  * own. */
 enum { MOMENTUM = 4, STATE = 7, ROTORS = STATE + ROT_FREE_FLOWS };
-enum { MOST = ROTORS + ROT_FREE_MOST_ROTORS };
+enum { MAX = ROTORS + ROT_FREE_MAX_ROTORS };
 enum { WORK = STATE, HEAT, TORQUE_IMPULSE, DAMPING_IMPULSE = TORQUE_IMPULSE + 3 };
 enum { MOTOR_WORK = STATE + ROT_FREE_MOTOR_WORK };
 
@@ -83,7 +83,7 @@ static rot_status slopes(stepper *s, double t, const double y[], double f[]) {
 /* ---- steps ----------------------------------------------------------------------------------- */
 
 static rot_status euler(stepper *s, double t, double h, double y[]) {
-  double f[MOST];
+  double f[MAX];
   const rot_status status = slopes(s, t, y, f);
   for (size_t k = 0; status == ROT_OK && k < s->dim; k++) y[k] += h * f[k];
   (void)rot_attitude_unit(y);
@@ -92,7 +92,7 @@ static rot_status euler(stepper *s, double t, double h, double y[]) {
 
 static rot_status rk4(stepper *s, double t, double h, double y[]) {
   static const double node[4] = {0.0, 0.5, 0.5, 1.0}, weight[4] = {1.0, 2.0, 2.0, 1.0};
-  double f[MOST] = {0.0}, at[MOST], sum[MOST] = {0.0};
+  double f[MAX] = {0.0}, at[MAX], sum[MAX] = {0.0};
   for (int stage = 0; stage < 4; stage++) {
     for (size_t k = 0; k < s->dim; k++) at[k] = y[k] + h * node[stage] * f[k];
     const rot_status status = slopes(s, t + h * node[stage], at, f);
@@ -127,7 +127,7 @@ static rot_status semi_implicit(stepper *s, double t, double h, double y[]) {
     l[k] = s->l0[k] + y[TORQUE_IMPULSE + k] + y[DAMPING_IMPULSE + k];
   }
   if (s->rotors.n) {
-    double f[MOST];
+    double f[MAX];
     const rot_status of_motors = motors(s, t, w, y, y, f);
     if (of_motors != ROT_OK) return of_motors;
     for (size_t k = 0; k < s->rotors.n_states; k++) y[ROTORS + k] += h * f[ROTORS + k];
@@ -237,7 +237,7 @@ int rot_free_step_order(rot_method method) {
 
 typedef struct run {
   stepper s;
-  double start[MOST], step_s;
+  double start[MAX], step_s;
   size_t n, max_steps, rows_done;
   const double *time_s;
   double *y; /* n rows of s.dim */
@@ -285,11 +285,11 @@ static rot_status write_at(run *r, double t, const double y[], size_t i) {
 static rot_status go(run *r, int forward, size_t first, size_t end) {
   const rot_free_params *p = r->s.p;
   const double sign = forward ? 1.0 : -1.0;
-  double y[MOST], t = p->start_s, budget = (double)r->max_steps;
+  double y[MAX], t = p->start_s, budget = (double)r->max_steps;
   size_t row = first;
   memcpy(y, r->start, sizeof y);
   while (row != end) {
-    /* a stretch: up to the next break, or without end */
+    /* a segment: up to the next break, or without end */
     double until = sign * INFINITY;
     for (size_t i = 0; i < p->n_breaks; i++) {
       const double at = p->breaks_s[i];
@@ -336,7 +336,7 @@ static rot_status go(run *r, int forward, size_t first, size_t end) {
 }
 
 /* Backward in time, then forward. */
-static rot_status march(run *r) {
+static rot_status stepping(run *r) {
   size_t before = 0;
   while (before < r->n && r->time_s[before] < r->s.p->start_s) before++;
   note_size(r, r->start);
@@ -375,10 +375,10 @@ static void choose_axes(stepper *s) {
 
 double rot_free_default_step(const rot_free_params *p, rot_method method, double span_s) {
   const double *m = p->moment_kg_m2;
-  double least = fmin(m[0], fmin(m[1], m[2]));
+  double min = fmin(m[0], fmin(m[1], m[2]));
   rot_free_rotors rotors;
   const double *g = p->lever_n_m, *torque = p->torque;
-  double most = hypot(hypot(g[0], g[1]), g[2]) + hypot(hypot(torque[0], torque[1]), torque[2]);
+  double max = hypot(hypot(g[0], g[1]), g[2]) + hypot(hypot(torque[0], torque[1]), torque[2]);
   double rate = fabs(p->damping_per_s), knots = 0.0, omega = 0.0;
   for (size_t i = 0; i < p->n_knots; i++) {
     double size = 0.0;
@@ -386,13 +386,13 @@ double rot_free_default_step(const rot_free_params *p, rot_method method, double
     knots = fmax(knots, size);
   }
   for (int k = 0; k < 3; k++) omega = hypot(omega, p->omega0_rad_per_s[k]);
-  most += knots;
+  max += knots;
   if (p->n_rotors && !rot_free_rotors_begin(p, &rotors)) {
-    for (size_t i = 0; i < p->n_rotors; i++) most += fabs(p->rotors[i].torque);
-    rate += rotors.size / rotors.least;
-    least = rotors.least;
+    for (size_t i = 0; i < p->n_rotors; i++) max += fabs(p->rotors[i].torque);
+    rate += rotors.size / rotors.min;
+    min = rotors.min;
   }
-  rate += omega + (most > 0.0 ? sqrt(most) / sqrt(least) : 0.0);
+  rate += omega + (max > 0.0 ? sqrt(max) / sqrt(min) : 0.0);
   const double whole = method == ROT_METHOD_SPLIT ? 32.0 : 64.0;
   if (rate > 0.0) return 2.0 * PI / rate / whole;
   return span_s > 0.0 ? 1e-3 * span_s : 1.0;
@@ -434,7 +434,7 @@ static void note_errors(const run *r, const run *half, double flow_error[], rot_
   rot_info_measures(info, rot_free_measures);
   info->measure[ROT_FREE_ATTITUDE] = (rot_measure){fmin(angle + rounding, PI), 1.0, 1.0, 1.0};
   info->measure[ROT_FREE_OMEGA].error =
-      omega + rounding * (r->largest_omega + rotors->size / rotors->least);
+      omega + rounding * (r->largest_omega + rotors->size / rotors->min);
   info->measure[ROT_FREE_MOMENTUM].error = momentum + rounding * r->largest_momentum;
   for (int k = 0; k < 3; k++) {
     flow_error[ROT_FREE_MOTOR_WORK] +=
@@ -478,10 +478,10 @@ rot_status rot_free_step_through(const rot_free_params *p, const rot_free_step_o
   half.from = r.to;
   half.to = 1.0;
   info->method = options->method;
-  info->status = march(&r);
+  info->status = stepping(&r);
   if (info->status == ROT_ERHS && (p->law || p->motors)) info->status = ROT_ETORQUE;
   if (info->status != ROT_EUNWIND) {
-    const rot_status second = march(&half);
+    const rot_status second = stepping(&half);
     if (second == ROT_EUNWIND) info->status = second;
   }
   info->time_s = info->status == ROT_OK ? (n ? time_s[n - 1] : p->start_s) : r.failed_s;

@@ -4,16 +4,16 @@
 
 #include "maths/attitude.h"
 #include "scene/free/motion.h"
-#include "scene/free/pass.h"
-#include "ground/share.h"
-#include "ground/wide.h"
+#include "scene/free/kernel.h"
+#include "ground/parallel.h"
+#include "ground/simd.h"
 
 enum { PART = 2048, BLOCK = ROT_FREE_BLOCK };
 
 typedef struct frame {
   const rot_free_table_rows *rows;
   const rot_free_table_columns *out;
-  int wide;
+  int simd;
 } frame;
 
 /* A row of any numbers. */
@@ -59,8 +59,8 @@ static void block_rows(const frame *f, size_t first, size_t n) {
   }
   for (int k = 0; k < 4; k++) load(in->q[k], first, n, x.q[k]);
   load(in->time_s, first, n, x.time);
-  if (f->wide)
-    rot_free_pass_wide(&x);
+  if (f->simd)
+    rot_free_pass_simd(&x);
   else
     rot_free_pass(&x);
   for (size_t l = 0; l < n; l++) {
@@ -86,6 +86,6 @@ static void table_rows(const void *of, size_t first, size_t last) {
 rot_status rot_free_table(const rot_free_table_rows *rows, int threads,
                           const rot_free_table_columns *out, const rot_hooks *hooks,
                           rot_info *info) {
-  const frame f = {rows, out, rot_wide_fma_ok()};
-  return rot_share_rows(table_rows, &f, rows->n, PART, threads, hooks, info);
+  const frame f = {rows, out, rot_simd_fma_ok()};
+  return rot_parallel_rows(table_rows, &f, rows->n, PART, threads, hooks, info);
 }

@@ -28,8 +28,8 @@ typedef struct rot_free_table_columns {
 #undef X
 } rot_free_table_columns;
 
-/* At most `threads` threads (ground/share.h). A row without a motion (scene/free/motion.h), or with
- * NaN, has NaN. */
+/* At most `threads` threads (ground/parallel.h). A row without a motion (scene/free/motion.h), or
+ * with NaN, has NaN. */
 rot_status rot_free_table(const rot_free_table_rows *rows, int threads,
                           const rot_free_table_columns *out, const rot_hooks *hooks,
                           rot_info *info);

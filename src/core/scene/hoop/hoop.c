@@ -22,7 +22,7 @@ static const rot_input inputs[] = {
     ROT_NUMBER_INPUT("omega0_rad_per_s", "rad/s", 0, -DBL_MAX, 0, 0.0, "its rate at the start"),
     ROT_RESISTANCE_INPUT("drag along the hoop", rot_drag_resistance),
     ROT_NUMBER_INPUT("static_friction", "1", 0, 0.0, 0, 0.0, "coefficient of dry friction at rest"),
-    {"kinetic_friction", "1", ROT_INPUT_NUMBER, 0, 0.0, DBL_MAX, 0, NAN, "moving", rot_most_static},
+    {"kinetic_friction", "1", ROT_INPUT_NUMBER, 0, 0.0, DBL_MAX, 0, NAN, "moving", rot_max_static},
     ROT_NUMBER_INPUT("gravity_m_per_s2", "m/s^2", 0, 0.0, 0, 9.80665, "acceleration of gravity"),
     ROT_NUMBER_INPUT("start_s", "s", 0, -DBL_MAX, 0, 0.0, "when the state above holds")};
 /* clang-format on */
@@ -90,7 +90,7 @@ static void row(const void *scene, const rot_system_state *at, size_t i, void *c
   for (size_t k = 0; k < ROT_COUNT(columns); k++) ((double *)column[k])[i] = value[k];
 }
 
-static void pace(const void *scene, const double sizes[], rot_pace *to) {
+static void time_scales(const void *scene, const double sizes[], rot_time_scales *to) {
   const hoop *h = scene;
   to->fades_s = h->drag > 0.0 ? h->mass / h->drag : INFINITY;
   to->swing_rad_per_s = 2.0 * sizes[ROT_OMEGA] + fabs(h->turn) + sqrt(h->gravity / h->radius);
@@ -134,7 +134,7 @@ static void audit(const void *scene, const rot_span *s, double term[]) {
   memcpy(term, value, sizeof value);
 }
 
-static size_t keeps(const void *scene, size_t balance, const char *why[]) {
+static size_t conserved(const void *scene, size_t balance, const char *why[]) {
   const hoop *h = scene;
   const int driven = h->turn != 0.0 && balance != SEEN;
   const int rubs = (h->drag != 0.0 || h->mu_kinetic != 0.0) && balance != MOMENTUM;
@@ -158,5 +158,5 @@ static unsigned effects_of(const void *scene) {
          (unsigned)(h->drag != 0.0) << 2 | (unsigned)(h->mu_static != 0.0) << 3;
 }
 
-static const rot_system of_bead = {ROT_COUNT(flows), start, slopes, row, pace};
+static const rot_system of_bead = {ROT_COUNT(flows), start, slopes, row, time_scales};
 ROT_SYSTEM_CONSTRAINT(hoop, of_bead, 15u);

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "engine/march.h"
+#include "engine/stepping.h"
 #include "ground/real.h"
 
 const char *const rot_incline_measures[] = {"x", "v", "theta", "omega", NULL};
@@ -18,9 +18,9 @@ typedef struct incline {
   double time_s;
   double x, v, turn, w, mean, slip, slip_heat, rolling_heat;
   double x_error, v_error, turn_error, w_error, mean_error, slip_error;
-  double settled_s;    /* from here on the slip is known to be 0 while it rolls */
-  rot_incline_ways at; /* spin without a resistance, too */
-  int way;             /* sign of v, from which it may reverse */
+  double settled_s;          /* from here on the slip is known to be 0 while it rolls */
+  rot_incline_directions at; /* spin without a resistance, too */
+  int direction;             /* sign of v, from which it may reverse */
   double force, torque;
   double v_rate, w_rate, mean_rate, slip_rate;
   double v_rate_error, w_rate_error, mean_rate_error, slip_rate_error;
@@ -47,7 +47,7 @@ void rot_incline_touch(const rot_incline_params *p, rot_incline_contact *out) {
   out->spin = 1.0 / (1.0 + out->beta);
   out->pull = p->gravity_m_per_s2 * sine;
   out->slides = rot_incline_friction(p->mu_kinetic, normal);
-  out->grips = rot_incline_friction(p->mu_static, normal);
+  out->breakaway = rot_incline_friction(p->mu_static, normal);
   out->resists = p->arm_m / p->radius_m * normal;
   out->holds = rot_incline_holds(p->angle_deg, sine, cosine);
 }
@@ -70,12 +70,12 @@ static void begin(incline *c, const rot_incline_params *p) {
     c->mean = c->w = v0;
     c->w_error = c->mean_error = 4.0 * ROT_EPS * fabs(w0);
   }
-  c->at = (rot_incline_ways){sign(c->slip), sign(c->w)};
-  c->way = sign(v0);
+  c->at = (rot_incline_directions){sign(c->slip), sign(c->w)};
+  c->direction = sign(v0);
   c->settled_s = p->start_s;
 }
 
-/* ---- the forces of a stretch ----------------------------------------------------------------- */
+/* ---- the forces of a segment ----------------------------------------------------------------- */
 
 static int held(const incline *c) { return rot_incline_held(&c->on, c->at); }
 
@@ -116,8 +116,8 @@ static void find_forces(incline *c) {
 }
 
 /* When a value that moves away from its sign reaches zero; Inf if it does not. */
-static double zero_s(const incline *c, int way, double value, double rate) {
-  if (way == 0 || way * rate >= 0.0) return INFINITY;
+static double zero_s(const incline *c, int direction, double value, double rate) {
+  if (direction == 0 || direction * rate >= 0.0) return INFINITY;
   const double s = -value / rate;
   return c->time_s + (s > 0.0 ? s : 0.0);
 }
@@ -130,7 +130,7 @@ static void find_end(incline *c) {
    * is held: those count. */
   const double turn = c->on.resists > 0.0 && (c->at.slip == 0 || c->at.spin == 0)
                           ? (double)INFINITY
-                          : zero_s(c, c->way, c->v, c->v_rate);
+                          : zero_s(c, c->direction, c->v, c->v_rate);
   c->end_s = INFINITY;
   c->ends = NOTHING;
   if (turn < c->end_s) c->end_s = turn, c->ends = TURNS;
@@ -140,12 +140,12 @@ static void find_end(incline *c) {
 
 static void enter(incline *c) {
   find_forces(c);
-  if (rests(c)) c->way = 0;
-  if (c->way == 0) c->way = sign(c->v_rate);
+  if (rests(c)) c->direction = 0;
+  if (c->direction == 0) c->direction = sign(c->v_rate);
   find_end(c);
 }
 
-/* ---- along a stretch ------------------------------------------------------------------------- */
+/* ---- along a segment ------------------------------------------------------------------------- */
 
 /* *path and *speed after s, with their errors; the difference of times is rounded, too. */
 static void move(double s, double rate, double rate_error, double *path, double *speed,
@@ -169,7 +169,7 @@ static double heat(double m, double force, double s, double speed) {
   return rot_product(4, (double[]){m, force, s, speed}, 1.0);
 }
 
-/* The state at a later time of the stretch. */
+/* The state at a later time of the segment. */
 static incline after(const incline *c, double time) {
   incline to = *c;
   const double s = time - c->time_s, m = c->p->mass_kg;
@@ -195,7 +195,7 @@ static incline after(const incline *c, double time) {
   } else {
     path = path_error = 0.0;
     move(s, c->slip_rate, c->slip_rate_error, &path, &to.slip, &path_error, &to.slip_error);
-    /* Slip and spin keep their signs on the stretch: all parts of the heat are positive. */
+    /* Slip and spin keep their signs on the segment: all parts of the heat are positive. */
     to.slip_heat += heat(m, fabs(c->force), 0.5 * s, fabs(c->slip + to.slip));
   }
   if (c->at.spin != 0) to.rolling_heat += heat(m, c->on.resists, 0.5 * s, fabs(c->w + to.w));
@@ -245,8 +245,8 @@ static void spread(incline *c, const incline *from, double late) {
   }
 }
 
-rot_status rot_incline_log(rot_events *events, double time_s, rot_incline_ways from,
-                           rot_incline_ways to, int rested, int rests, int turned) {
+rot_status rot_incline_log(rot_events *events, double time_s, rot_incline_directions from,
+                           rot_incline_directions to, int rested, int rests, int turned) {
   if (!events) return ROT_OK;
   const struct {
     int happens;
@@ -266,7 +266,7 @@ rot_status rot_incline_log(rot_events *events, double time_s, rot_incline_ways f
   return ROT_OK;
 }
 
-/* Goes to the end of the stretch and enters the next one. */
+/* Goes to the end of the segment and enters the next one. */
 static rot_status cross(incline *c, rot_events *events) {
   const incline from = *c;
   const double end = c->end_s;
@@ -281,7 +281,7 @@ static rot_status cross(incline *c, rot_events *events) {
   }
   const int turned = from.ends == TURNS || (from.ends == SPIN_ENDS && from.at.slip == 0) ||
                      (from.ends == SLIP_ENDS && held(&from));
-  if (turned) c->way = -from.way;
+  if (turned) c->direction = -from.direction;
   enter(c);
   if (from.ends != TURNS) spread(c, &from, late);
   const rot_status status = rot_incline_log(events, end, from.at, c->at, 0, rests(c), turned);
@@ -419,33 +419,33 @@ rot_status rot_incline_run(const rot_incline_params *p, size_t n, const double t
                            const rot_incline_columns *out, rot_events *events,
                            rot_incline_event_rows *at_events, const rot_hooks *hooks,
                            rot_info *info) {
-  static const rot_march march = {restart, holds, next_piece, write_row, NULL};
+  static const rot_stepping stepping = {restart, holds, next_piece, write_row, NULL};
   incline_run run = {
       .time_s = time_s, .out = out, .events = events, .at_events = at_events, .info = info};
   rot_info_clear(info, rot_incline_measures);
   begin(&run.at, p);
   const state start = state_of(&run.at);
   note_state(&run.at, &start, info, 0);
-  return rot_march_rows(&march, &run, p->start_s, n, time_s, hooks, info);
+  return rot_step_rows(&stepping, &run, p->start_s, n, time_s, hooks, info);
 }
 
 /* ---- one time alone -------------------------------------------------------------------------- */
 
-static void note_sizes(const incline *c, double most[4]) {
+static void note_sizes(const incline *c, double max[4]) {
   const state at = state_of(c);
-  most[0] = fmax(most[0], fabs(at.x));
-  most[1] = fmax(most[1], fabs(at.v));
-  most[2] = fmax(most[2], fabs(at.theta));
-  most[3] = fmax(most[3], fabs(at.omega));
+  max[0] = fmax(max[0], fabs(at.x));
+  max[1] = fmax(max[1], fabs(at.v));
+  max[2] = fmax(max[2], fabs(at.theta));
+  max[3] = fmax(max[3], fabs(at.omega));
 }
 
 rot_status rot_incline_to(const rot_incline_params *p, double time_s, rot_incline_end *end) {
   incline c;
-  double most[4] = {0.0};
+  double max[4] = {0.0};
   if (!rot_incline_possible(p, time_s)) return ROT_EVALUE;
   begin(&c, p);
   enter(&c);
-  note_sizes(&c, most);
+  note_sizes(&c, max);
   *end = (rot_incline_end){.roll_s = NAN};
   while (c.end_s <= time_s) {
     const int slips = c.at.slip != 0;
@@ -453,10 +453,10 @@ rot_status rot_incline_to(const rot_incline_params *p, double time_s, rot_inclin
     const rot_status status = cross(&c, NULL);
     if (status != ROT_OK) return status;
     if (slips && c.at.slip == 0 && !rests(&c) && isnan(end->roll_s)) end->roll_s = at;
-    note_sizes(&c, most);
+    note_sizes(&c, max);
   }
   c = after(&c, time_s);
-  note_sizes(&c, most);
+  note_sizes(&c, max);
   const state at = state_of(&c);
   rot_info info;
   rot_info_measures(&info, rot_incline_measures);
@@ -464,7 +464,7 @@ rot_status rot_incline_to(const rot_incline_params *p, double time_s, rot_inclin
   *end = (rot_incline_end){at.x,           at.v,        at.theta, at.omega,      c.slip_heat,
                            c.rolling_heat, end->roll_s, 0.0,      c.at.slip == 0};
   for (int i = 0; i < 4; i++) {
-    end->error = fmax(end->error, rot_relative_error(info.measure[i].error, most[i]));
+    end->error = fmax(end->error, rot_relative_error(info.measure[i].error, max[i]));
   }
   const int finite = isfinite(at.x) && isfinite(at.v) && isfinite(at.theta) && isfinite(at.omega);
   return finite ? ROT_OK : ROT_ERANGE;

@@ -87,10 +87,10 @@ rot_incline_columns rot_incline_columns_of(rot_incline_row *row);
 
 /* Times are finite, do not decrease and are not before start_s (ROT_EVALUE). mu_kinetic is finite
  * unless the start rolls. A slip at the start within its rounding is none. Events: roll, slip,
- * stick, reverse (the velocity passes zero), slip_reverse (the slip does, without grip). at_events
- * takes the rows at their times, where `events` is not NULL; NULL: none. The errors in *info are
- * bounds for all rows, unless a force is within a rounding of what friction holds; such a force is
- * held. */
+ * stick, reverse (the velocity passes zero), slip_reverse (the slip does, without sticking).
+ * at_events takes the rows at their times, where `events` is not NULL; NULL: none. The errors in
+ * *info are bounds for all rows, unless a force is within a rounding of what friction holds; such a
+ * force is held. */
 rot_status rot_incline_run(const rot_incline_params *p, size_t n, const double time_s[],
                            const rot_incline_columns *out, rot_events *events,
                            rot_incline_event_rows *at_events, const rot_hooks *hooks,
@@ -134,8 +134,8 @@ double rot_incline_holds(double angle_deg, double sine, double cosine);
 void rot_incline_touch(const rot_incline_params *p, rot_incline_contact *out);
 
 /* Logs how the motion changes at a time. `turned`: it reverses, unless it comes to rest. */
-rot_status rot_incline_log(rot_events *events, double time_s, rot_incline_ways from,
-                           rot_incline_ways to, int rested, int rests, int turned);
+rot_status rot_incline_log(rot_events *events, double time_s, rot_incline_directions from,
+                           rot_incline_directions to, int rested, int rests, int turned);
 
 /* The steepest angle in degrees at which a body of this beta = I/(m R^2) rolls from rest. */
 double rot_incline_critical_deg(double beta, double mu_static);

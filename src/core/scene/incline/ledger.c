@@ -112,24 +112,24 @@ void rot_incline_audit(const void *of, const rot_span *s, double term[]) {
   memcpy(term, value, sizeof value);
 }
 
-/* Friction dissipates where the contact slips: from the start, or where the grip does not
+/* Friction dissipates where the contact slips: from the start, or where static friction does not
  * suffice. */
-size_t rot_incline_keeps(const void *of, size_t balance, const char *why[]) {
+size_t rot_incline_conserved(const void *of, size_t balance, const char *why[]) {
   const rot_incline_scene *scene = of;
   const rot_incline_params *p = &scene->slope;
   const double slope = fabs(rot_sin_deg(p->angle_deg)), across = rot_cos_deg(p->angle_deg);
   const double beta = p->inertia_kg_m2 / p->mass_kg / p->radius_m / p->radius_m;
   const int acts = p->gravity_m_per_s2 != 0.0, level = !acts || p->angle_deg == 0.0;
   const int rack = isinf(p->mu_static) != 0;
-  const int grips = p->v0_m_per_s == p->radius_m * p->omega0_rad_per_s &&
-                    (rack || slope * beta / (1.0 + beta) <= p->mu_static * across);
+  const int sticks = p->v0_m_per_s == p->radius_m * p->omega0_rad_per_s &&
+                     (rack || slope * beta / (1.0 + beta) <= p->mu_static * across);
   /* No normal force on a vertical slope. */
   const int smooth = !acts || (!rack && p->mu_static * across == 0.0);
-  const int slips = !smooth && !grips && p->mu_kinetic != 0.0;
+  const int slips = !smooth && !sticks && p->mu_kinetic != 0.0;
   const int arm = acts && p->arm_m * across != 0.0;
   const int drag = scene->drag_n_s_per_m != 0.0 || scene->drag_n_s2_per_m2 != 0.0;
   const int force = scene->force != NULL;
-  const int rim = slips || (!level && !smooth) || (grips && (drag || force));
+  const int rim = slips || (!level && !smooth) || (sticks && (drag || force));
   const struct {
     unsigned of; /* balances */
     int acts;
@@ -156,7 +156,7 @@ size_t rot_incline_keeps(const void *of, size_t balance, const char *why[]) {
   if (n) return n;
   why[0] = balance != ENERGY ? kept[balance]
            : smooth          ? "no friction acts: kinetic plus potential energy stays"
-                    : "the contact grips, so friction does no work: kinetic plus potential energy "
+                    : "the contact sticks, so friction does no work: kinetic plus potential energy "
                       "stays";
   return 0;
 }

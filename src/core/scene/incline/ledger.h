@@ -39,6 +39,6 @@ void rot_incline_flow(const rot_incline_params *p, const rot_incline_place *at, 
 
 /* rot_constraint.audit and .keeps */
 void rot_incline_audit(const void *scene, const rot_span *span, double term[]);
-size_t rot_incline_keeps(const void *scene, size_t balance, const char *why[]);
+size_t rot_incline_conserved(const void *scene, size_t balance, const char *why[]);
 
 #endif

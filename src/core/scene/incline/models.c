@@ -5,7 +5,7 @@
 
 #include "engine/ode/fixed.h"
 #include "scene/incline/ledger.h"
-#include "scene/incline/pace.h"
+#include "scene/incline/time_scales.h"
 #include "scene/incline/runs.h"
 
 static const rot_effect effects[] = {{"gravity", "gravity", 0, 0},
@@ -38,7 +38,7 @@ static double cost_s(const rot_model *model, const void *scene, const rot_query 
   return model->seconds[0] + (double)query->n * model->seconds[1];
 }
 
-/* Steps of a stretch, and a few stretches; drag counts by the times that it fades in, as in
+/* Steps of a segment, and a few segments; drag counts by the times that it fades in, as in
  * scene/axle/models.c. seconds: the rate, its power, decay times, steps after, of explicit and
  * implicit steps. */
 static double integrated_s(const rot_model *model, const void *of, const rot_query *query,
@@ -67,8 +67,8 @@ static double radau_s(const rot_model *model, const void *scene, const rot_query
 }
 
 static double fixed_s(const rot_model *model, const void *of, const rot_query *query) {
-  rot_pace of_start;
-  rot_incline_pace_of_start(of, &of_start);
+  rot_time_scales of_start;
+  rot_incline_time_scales_of_start(of, &of_start);
   return rot_fixed_cost_s(model, query, rot_incline_start(of), &of_start);
 }
 
@@ -134,7 +134,7 @@ const rot_constraint rot_incline_constraint = {
     .n_terms = ROT_INCLINE_TERMS,
     .terms = rot_incline_terms,
     .audit = rot_incline_audit,
-    .keeps = rot_incline_keeps,
-    .pace = rot_incline_pace,
+    .conserved = rot_incline_conserved,
+    .time_scales = rot_incline_time_scales,
     .event_rows = 1,
 };

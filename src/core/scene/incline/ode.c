@@ -29,7 +29,7 @@ enum {
 };
 
 /* Without a resistance, spin is 0 and holds nothing. */
-typedef rot_incline_ways ways;
+typedef rot_incline_directions directions;
 
 /* The state after an event, for a row at its time. */
 typedef struct change {
@@ -42,7 +42,7 @@ typedef struct motion {
   const rot_incline_params *p; /* of its slope */
   rot_incline_contact on;
   int mode;
-  double most;       /* largest speed met */
+  double max;        /* largest speed met */
   double beyond;     /* rounding of the speeds, ample */
   rot_status failed; /* in an event function: rhs reports it */
   rot_events *events;
@@ -54,11 +54,11 @@ typedef struct motion {
 
 static int sign(double x) { return (x > 0.0) - (x < 0.0); }
 
-static int mode_of(ways at) { return 3 * (at.slip + 1) + at.spin + 1; }
-static ways ways_of(int mode) { return (ways){mode / 3 - 1, mode % 3 - 1}; }
+static int mode_of(directions at) { return 3 * (at.slip + 1) + at.spin + 1; }
+static directions directions_of(int mode) { return (directions){mode / 3 - 1, mode % 3 - 1}; }
 
-static int held(const motion *m, ways at) { return rot_incline_held(&m->on, at); }
-static int rests(const motion *m, ways at) { return held(m, at) && at.slip == 0; }
+static int held(const motion *m, directions at) { return rot_incline_held(&m->on, at); }
+static int rests(const motion *m, directions at) { return held(m, at) && at.slip == 0; }
 
 /* ---- forces ---------------------------------------------------------------------------------- */
 
@@ -82,7 +82,7 @@ static rot_status pull_at(const motion *m, double t, double travel, double v, fo
 
 static rot_status incline_rhs(double t, const double y[], double dydt[], void *ctx) {
   const motion *m = ctx;
-  const ways at = ways_of(m->mode);
+  const directions at = directions_of(m->mode);
   const double v = y[SPEED], w = y[RIM], mass = m->p->mass_kg;
   forces f;
   rot_status status = m->failed;
@@ -107,26 +107,27 @@ static rot_status incline_rhs(double t, const double y[], double dydt[], void *c
 
 /* ---- how it goes on -------------------------------------------------------------------------- */
 
-typedef enum cause { BEGINS, SLIP_ENDS, SPIN_ENDS, GRIP_ENDS, JUMPS } cause;
+typedef enum cause { BEGINS, SLIP_ENDS, SPIN_ENDS, STICK_ENDS, JUMPS } cause;
 
 /* From rest: what moves first. `lost`: the pull has reached what holds the body; where it jumped
  * there it may be beyond that. */
-static ways leave_rest(const motion *m, double pull, int lost) {
-  const int way = sign(pull);
-  ways at = {0, 0};
-  if (!lost || fabs(pull) > (1.0 + 1e-9) * m->on.holds * fmin(m->on.grips, m->on.resists)) {
+static directions leave_rest(const motion *m, double pull, int lost) {
+  const int direction = sign(pull);
+  directions at = {0, 0};
+  if (!lost || fabs(pull) > (1.0 + 1e-9) * m->on.holds * fmin(m->on.breakaway, m->on.resists)) {
     return rot_incline_leave_rest(&m->on, pull);
   }
-  if (m->on.resists <= m->on.grips) {
-    at.spin = way;
+  if (m->on.resists <= m->on.breakaway) {
+    at.spin = direction;
   } else {
-    at.slip = way;
-    if (m->on.slides > m->on.resists) at.spin = way;
+    at.slip = direction;
+    if (m->on.slides > m->on.resists) at.spin = direction;
   }
   return at;
 }
 
-static ways find_ways(const motion *m, ways from, double pull, const double y[], int lost) {
+static directions find_directions(const motion *m, directions from, double pull, const double y[],
+                                  int lost) {
   const int turns = m->on.resists > 0.0;
   if (rests(m, from) && y[SPEED] == 0.0) return leave_rest(m, pull, lost);
   return rot_incline_go_on(&m->on, from, pull, y[SPEED], turns, lost);
@@ -148,21 +149,21 @@ static rot_status keep_change(motion *m, double t, const double y[]) {
 }
 
 /* Rounding that an event leaves in a speed that is zero there. */
-static double small(const motion *m) { return 64.0 * ROT_EPS * m->most; }
+static double small(const motion *m) { return 64.0 * ROT_EPS * m->max; }
 
 static rot_status settle(motion *m, double t, double y[], cause why) {
-  const ways from = ways_of(m->mode);
-  ways at = from;
+  const directions from = directions_of(m->mode);
+  directions at = from;
   forces f;
   const rot_status status = pull_at(m, t, y[TRAVEL], y[SPEED], &f);
   if (status != ROT_OK) return status;
   if (why == SLIP_ENDS) {
     at.slip = 0;
-    /* Where the contact does not grip, the slip passes zero and both speeds go on. */
+    /* Where the contact does not stick, the slip passes zero and both speeds go on. */
     const double need = fabs(rot_incline_needed(&m->on, f.pull, at.spin * m->on.resists));
     if (held(m, from)) {
       y[SPEED] = y[RIM] = 0.0;
-    } else if (need <= m->on.grips * m->on.holds) {
+    } else if (need <= m->on.breakaway * m->on.holds) {
       y[SPEED] = y[RIM] = m->on.spin * y[SPEED] + m->on.own * y[RIM];
     }
     if (m->on.resists > 0.0 && fabs(y[SPEED]) <= small(m)) {
@@ -174,7 +175,7 @@ static rot_status settle(motion *m, double t, double y[], cause why) {
     if (at.slip == 0) y[SPEED] = 0.0;
     at.spin = 0;
   }
-  at = find_ways(m, at, f.pull, y, why == GRIP_ENDS);
+  at = find_directions(m, at, f.pull, y, why == STICK_ENDS);
   m->mode = mode_of(at);
   y[MODE] = (double)m->mode;
   /* A rolling body that the resistance stopped, and one that slid with omega held, has turned. */
@@ -195,7 +196,7 @@ static rot_ode_then settle_at(double t, double y[], int *mode, void *ctx, cause 
   const rot_status status = settle(m, t, y, why);
   if (status != ROT_OK) m->failed = status;
   *mode = m->mode;
-  return ROT_ODE_NEW_STRETCH;
+  return ROT_ODE_NEW_SEGMENT;
 }
 
 static rot_ode_then at_slip_zero(double t, double y[], int *mode, int forward, void *ctx) {
@@ -210,7 +211,7 @@ static rot_ode_then at_spin_zero(double t, double y[], int *mode, int forward, v
 
 static rot_ode_then at_limit(double t, double y[], int *mode, int forward, void *ctx) {
   (void)forward;
-  return settle_at(t, y, mode, ctx, GRIP_ENDS);
+  return settle_at(t, y, mode, ctx, STICK_ENDS);
 }
 
 /* Quadratic drag has a kink where v changes its sign. */
@@ -219,22 +220,24 @@ static rot_ode_then at_turn(double t, double y[], int *mode, int forward, void *
   (void)mode, (void)forward;
   const rot_status status = keep_change(m, t, y);
   if (status != ROT_OK) m->failed = status;
-  return m->scene->drag_n_s2_per_m2 != 0.0 ? ROT_ODE_NEW_STRETCH : ROT_ODE_GO_ON;
+  return m->scene->drag_n_s2_per_m2 != 0.0 ? ROT_ODE_NEW_SEGMENT : ROT_ODE_GO_ON;
 }
 
 /* A speed that begins at zero has the sign of its way there. */
-static double signed_speed(double speed, int way) { return speed == 0.0 ? way * DBL_MIN : speed; }
+static double signed_speed(double speed, int direction) {
+  return speed == 0.0 ? direction * DBL_MIN : speed;
+}
 
 static double slip_at(double t, const double y[], void *ctx) {
   const motion *m = ctx;
-  const int slip = ways_of(m->mode).slip;
+  const int slip = directions_of(m->mode).slip;
   (void)t;
   return slip == 0 ? 1.0 : signed_speed(y[SPEED] - y[RIM], slip);
 }
 
 static double spin_at(double t, const double y[], void *ctx) {
   const motion *m = ctx;
-  const int spin = ways_of(m->mode).spin;
+  const int spin = directions_of(m->mode).spin;
   (void)t;
   return m->on.resists == 0.0 || spin == 0 ? 1.0 : signed_speed(y[RIM], spin);
 }
@@ -243,14 +246,14 @@ static double spin_at(double t, const double y[], void *ctx) {
  * scenes): the event is met, too, where the speed has the other sign by more than rounding. */
 static double slip_turned(double t, const double y[], void *ctx) {
   const motion *m = ctx;
-  const int slip = ways_of(m->mode).slip;
+  const int slip = directions_of(m->mode).slip;
   (void)t;
   return slip == 0 ? 1.0 : slip * (y[SPEED] - y[RIM]) + m->beyond;
 }
 
 static double spin_turned(double t, const double y[], void *ctx) {
   const motion *m = ctx;
-  const int spin = ways_of(m->mode).spin;
+  const int spin = directions_of(m->mode).spin;
   (void)t;
   return m->on.resists == 0.0 || spin == 0 ? 1.0 : spin * y[RIM] + m->beyond;
 }
@@ -259,7 +262,7 @@ static double spin_turned(double t, const double y[], void *ctx) {
  * held: those count. */
 static double turn_at(double t, const double y[], void *ctx) {
   const motion *m = ctx;
-  const ways at = ways_of(m->mode);
+  const directions at = directions_of(m->mode);
   (void)t;
   return m->on.resists > 0.0 && (at.slip == 0 || at.spin == 0) ? 1.0 : y[SPEED];
 }
@@ -267,7 +270,7 @@ static double turn_at(double t, const double y[], void *ctx) {
 /* 1: nothing pulls; below 0 the friction does not hold. */
 static double margin_at(double t, const double y[], void *ctx) {
   motion *m = ctx;
-  const ways at = ways_of(m->mode);
+  const directions at = directions_of(m->mode);
   forces f;
   if (at.slip != 0 || m->failed != ROT_OK) return 1.0;
   const rot_status status = pull_at(m, t, y[TRAVEL], y[SPEED], &f);
@@ -275,14 +278,14 @@ static double margin_at(double t, const double y[], void *ctx) {
     m->failed = status;
     return 1.0;
   }
-  double most = m->on.grips, need = fabs(f.pull);
+  double max = m->on.breakaway, need = fabs(f.pull);
   if (rests(m, at)) {
-    most = most < m->on.resists ? most : m->on.resists;
+    max = max < m->on.resists ? max : m->on.resists;
   } else {
     need = fabs(rot_incline_needed(&m->on, f.pull, at.spin * m->on.resists));
   }
-  if (isinf(most) || need == 0.0) return 1.0;
-  return most > 0.0 ? m->on.holds - need / most : -1.0;
+  if (isinf(max) || need == 0.0) return 1.0;
+  return max > 0.0 ? m->on.holds - need / max : -1.0;
 }
 
 static void cross_break(double t, double y[], int forward, void *ctx) {
@@ -295,7 +298,7 @@ static void cross_break(double t, double y[], int forward, void *ctx) {
 static void note_speed(double t, double y[], void *ctx) {
   motion *m = ctx;
   (void)t;
-  m->most = fmax(m->most, fmax(fabs(y[SPEED]), fabs(y[RIM])));
+  m->max = fmax(m->max, fmax(fabs(y[SPEED]), fabs(y[RIM])));
 }
 
 /* ---- the scene ------------------------------------------------------------------------------- */
@@ -308,15 +311,16 @@ static void begin(motion *m, const rot_incline_scene *scene, double span_s, doub
   const int rolls = fabs(v0 - w0) <= 4.0 * ROT_EPS * fabs(w0);
   y[SPEED] = v0;
   y[RIM] = rolls ? v0 : w0;
-  m->most = fmax(fabs(v0), fabs(w0));
-  m->beyond = 1e-13 * (m->most + (fabs(m->on.pull) + m->on.slides) * span_s);
-  m->mode = mode_of((ways){rolls ? 0 : sign(v0 - w0), m->on.resists > 0.0 ? sign(y[RIM]) : 0});
+  m->max = fmax(fabs(v0), fabs(w0));
+  m->beyond = 1e-13 * (m->max + (fabs(m->on.pull) + m->on.slides) * span_s);
+  m->mode =
+      mode_of((directions){rolls ? 0 : sign(v0 - w0), m->on.resists > 0.0 ? sign(y[RIM]) : 0});
 }
 
 /* How far rounding may move the rates: the sum of what acts. Where a motion begins in it, no step
  * would pass its error test. */
 static void note_noise(motion *m, double pull) {
-  const double friction = ways_of(m->mode).slip == 0 ? fabs(pull) : m->on.slides;
+  const double friction = directions_of(m->mode).slip == 0 ? fabs(pull) : m->on.slides;
   const double sizes = fabs(m->on.pull) + fabs(pull) + friction + m->on.resists;
   const double off = m->scene->force_noise_n / m->p->mass_kg;
   m->noise[SPEED] = 4.0 * ROT_EPS * sizes + off;
@@ -343,7 +347,7 @@ static rot_status fill_row(const motion *m, size_t i, double t, const double y[]
   const rot_incline_params *p = m->p;
   const change *changed = change_at(m, t);
   const int start = t == p->start_s;
-  const ways at = ways_of(changed ? changed->mode : (int)y[MODE]);
+  const directions at = directions_of(changed ? changed->mode : (int)y[MODE]);
   if (changed) y = changed->y;
   const double v = y[SPEED], w = at.slip == 0 ? v : y[RIM];
   forces f;
@@ -414,7 +418,7 @@ static rot_status fill_event_rows(const motion *m, rot_incline_event_rows *rows,
 
 /* Of few and long implicit steps the distance of two runs says too little: 92 of 100 random scenes
  * were covered; with this part of the accuracy asked 98 are (bench/coverage/incline.c). */
-#define RADAU_LEAST 1e-3
+#define RADAU_MIN 1e-3
 
 /* A path is large where it is, or was on the way; `offset` is where it began. */
 static void note_path(rot_measure *measure, double offset, double error, double largest, size_t n,
@@ -438,7 +442,7 @@ static void note_errors(const motion *m, double accuracy, const rot_incline_colu
   info->measure[ROT_INCLINE_OMEGA].error = error[RIM] / r;
   info->measure[ROT_INCLINE_OMEGA].largest = largest[RIM] / r;
   for (size_t k = 0; info->method == ROT_METHOD_RADAU && k < info->n_measures; k++) {
-    info->measure[k].error += RADAU_LEAST * accuracy * info->measure[k].largest;
+    info->measure[k].error += RADAU_MIN * accuracy * info->measure[k].largest;
   }
   const int sum[ROT_INCLINE_SUM_ERRORS] = {WORK,  DRAG_HEAT,  FRICTION,  DRAG,
                                            FORCE, RESISTANCE, SLIP_HEAT, ROLLING_HEAT};

@@ -1,5 +1,6 @@
 /* A round body on an incline with what scene/incline/incline.h takes, and air drag and a force
- * besides, integrated. Slip that ends, spin that ends and grip that is lost are events. */
+ * besides, integrated. Slip that ends, spin that ends and static friction that is lost are events.
+ * */
 #ifndef ROT_INCLINE_ODE_H
 #define ROT_INCLINE_ODE_H
 

@@ -32,11 +32,12 @@ static void start(const rot_race_bodies *b, size_t i, slope *on, const rot_race_
                                  rot_incline_friction(mu_static, normal),
                                  resists,
                                  on->holds};
-  const rot_incline_ways way = rot_incline_leave_rest(&c, pull);
-  const rot_incline_forces f = rot_incline_forces_of(&c, pull, way);
+  const rot_incline_directions direction = rot_incline_leave_rest(&c, pull);
+  const rot_incline_forces f = rot_incline_forces_of(&c, pull, direction);
   const double held = fabs(pull) <= resists * on->holds ? fabs(pull) : resists;
   const double need = rot_incline_needed(&c, fabs(pull), held);
-  const double rate = way.slip != 0 || way.spin != 0 ? f.v : 0.0, turn = way.spin != 0 ? f.w : 0.0;
+  const double rate = direction.slip != 0 || direction.spin != 0 ? f.v : 0.0,
+               turn = direction.spin != 0 ? f.w : 0.0;
   const int known = !isnan(beta + radius + angle + gravity + arm + mu_static + mu_kinetic);
   out->acceleration_m_per_s2[i] = known ? rate : NAN;
   out->angular_acceleration_rad_per_s2[i] = !known ? NAN : beta == 0.0 ? 0.0 : turn / radius;
@@ -47,8 +48,8 @@ static void start(const rot_race_bodies *b, size_t i, slope *on, const rot_race_
   out->finish_time_s[i] = !known || isnan(length) ? NAN
                           : rate > 0.0            ? sqrt(2.0 * (length / rate))
                                                   : (double)INFINITY;
-  out->slips[i] = way.slip != 0;
-  out->rests[i] = way.slip == 0 && rate == 0.0;
+  out->slips[i] = direction.slip != 0;
+  out->rests[i] = direction.slip == 0 && rate == 0.0;
 }
 
 rot_status rot_race_starts(const rot_race_bodies *bodies, const rot_race_columns *out,

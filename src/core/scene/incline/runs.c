@@ -6,7 +6,7 @@
 
 #include "engine/ode/fixed.h"
 #include "scene/incline/ledger.h"
-#include "scene/incline/pace.h"
+#include "scene/incline/time_scales.h"
 
 const rot_column_of rot_incline_all_columns[ROT_INCLINE_ALL_COLUMNS] = {
     {"x_m", 0, 0, "m", 1 + ROT_INCLINE_X, 0},
@@ -123,11 +123,11 @@ static rot_status run_integrated(const void *of, const rot_task *task, rot_metho
                                  const rot_rows *rows, const rot_hooks *hooks, rot_info *info) {
   const rot_incline_scene *scene = of;
   const rot_incline_columns out = columns_of(rows->column);
-  rot_pace pace;
-  rot_incline_pace_of_start(scene, &pace);
+  rot_time_scales time_scales;
+  rot_incline_time_scales_of_start(scene, &time_scales);
   const rot_incline_ode_options options = {
       task->accuracy, task->max_steps, rot_task_method(task, method), task->resolution,
-      rot_fixed_task_step_s(task, scene->slope.start_s, &pace)};
+      rot_fixed_task_step_s(task, scene->slope.start_s, &time_scales)};
   rot_incline_event_rows log = {0, 0, NULL};
   rot_incline_sums sums;
   double *memory;

@@ -37,7 +37,7 @@ const rot_input rot_incline_inputs[ROT_INCLINE_INPUTS] = {
                 "coefficient of static friction; Inf: the contact never slips", NULL},
     [KINETIC] = {"kinetic_friction", "1", ROT_INPUT_LIMIT, 0, 0.0, INFINITY, 0, NAN,
                  "coefficient of kinetic friction; default: that of static friction",
-                 rot_most_static},
+                 rot_max_static},
     [ARM] = {"rolling_arm_m", "m", ROT_INPUT_NUMBER, 0, 0.0, DBL_MAX, 0, 0.0,
              "arm of the rolling resistance: the normal force acts that far ahead of the centre",
              NULL},
@@ -114,8 +114,8 @@ rot_status rot_incline_build(const rot_given given[], rot_store *store, void *to
                       (p->v0_m_per_s + beta * p->radius_m * p->omega0_rad_per_s) / (1.0 + beta));
   }
   p->gravity_m_per_s2 = NUMBER(GRAVITY);
-  const double least = p->gravity_m_per_s2 * fmin(1.0, p->mass_kg);
-  if (p->gravity_m_per_s2 > 0.0 && least < DBL_MIN) {
+  const double min = p->gravity_m_per_s2 * fmin(1.0, p->mass_kg);
+  if (p->gravity_m_per_s2 > 0.0 && min < DBL_MIN) {
     return rot_refuse(no, GRAVITY,
                       "and the weight must be 0 or at least %g, where numbers have all their "
                       "digits; gravity k^2 times as large gives the same places after 1/k of the "

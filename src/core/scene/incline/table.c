@@ -4,12 +4,12 @@
 
 #include "scene/incline/incline.h"
 #include "ground/real.h"
-#include "ground/share.h"
+#include "ground/parallel.h"
 
 /* Rows between two polls: some milliseconds. */
 enum { PART = 2048 };
 
-/* How a row moves. Without rolling resistance there are two stretches at most. */
+/* How a row moves. Without rolling resistance there are two segments at most. */
 typedef enum kind {
   ROLLS,
   LETS_GO,    /* at rest in the contact, which does not hold: it slips for good */
@@ -23,8 +23,9 @@ typedef enum kind {
 /* A row: its scene, w0 = R omega0, the forces of the slope on 1 kg, the first slip. */
 typedef struct row {
   double beta, radius, mass, angle, gravity, mu_static, mu_kinetic, arm, v0, w0, omega0, time;
-  double sine, cosine, pull, slides, grips;
-  double slip, way, rim, rate, inverse, slip_s; /* of v - w: sign, rate, 1/|rate|, when it ends */
+  double sine, cosine, pull, slides, breakaway;
+  double slip, direction, rim, rate, inverse,
+      slip_s; /* of v - w: sign, rate, 1/|rate|, when it ends */
 } row;
 
 static inline double larger(double x, double y) { return x > y ? x : y; } /* fmax() is a call */
@@ -62,47 +63,48 @@ static inline kind kind_of(row *r) {
   const double need = fabs(r->beta / (1.0 + r->beta) * r->pull);
   /* As rot_incline_holds(), without its division. */
   const double steep = fabs(r->sine * r->cosine);
-  const int grips =
-      (need <= r->grips) |
-      ((r->grips > 0.0) &
-       (need * steep <= r->grips * (steep * (1.0 + 16.0 * ROT_EPS) +
-                                    2.0 * ROT_EPS * 0.017453292519943295 * fabs(r->angle))));
+  const int breakaway =
+      (need <= r->breakaway) |
+      ((r->breakaway > 0.0) &
+       (need * steep <= r->breakaway * (steep * (1.0 + 16.0 * ROT_EPS) +
+                                        2.0 * ROT_EPS * 0.017453292519943295 * fabs(r->angle))));
   r->slip = r->v0 - r->w0;
-  r->way = sign(r->slip);
+  r->direction = sign(r->slip);
   r->rim = r->slides / r->beta;
-  r->rate = r->pull - r->way * r->slides - r->way * r->rim;
+  r->rate = r->pull - r->direction * r->slides - r->direction * r->rim;
   r->inverse = 1.0 / fabs(r->rate);
   r->slip_s = fabs(r->slip) * r->inverse;
   const int still = fabs(r->slip) <= 4.0 * ROT_EPS * fabs(r->w0);
-  const int ends = (r->way * r->rate < 0.0) & (r->slip_s < r->time);
-  return (kind)kinds[4 * still + 2 * ends + grips];
+  const int ends = (r->direction * r->rate < 0.0) & (r->slip_s < r->time);
+  return (kind)kinds[4 * still + 2 * ends + breakaway];
 }
 
 /* 0 where the numbers leave their range. `how` is a constant where this is called. rot_incline_to()
  * takes 260 ns a row instead of 40: it knows events, resistance and copies of the state. */
-static inline int two_stretches(kind how, const row *r, const rot_incline_table_columns *out,
-                                size_t i) {
+static inline int two_segments(kind how, const row *r, const rot_incline_table_columns *out,
+                               size_t i) {
   const double spin = 1.0 / (1.0 + r->beta), own = r->beta * spin;
   const double size = fabs(r->pull) + r->slides, rim = r->rim;
   const double mean_rate = spin * r->pull;
   mover v = {0.0, r->v0, 0.0, 0.0}, w = {0.0, r->w0, 0.0, fabs(r->w0)};
-  double slip = r->slip, left = r->time, heat = 0.0, roll_s = out->none, jump = 0.0, way = r->way;
-  double v_most = r->v0, w_most = r->w0, x_most = 0.0, turn_most = 0.0;
+  double slip = r->slip, left = r->time, heat = 0.0, roll_s = out->none, jump = 0.0,
+         direction = r->direction;
+  double v_max = r->v0, w_max = r->w0, x_max = 0.0, turn_max = 0.0;
   const int rolling = how == ROLLS || how == CATCHES;
   if (how == ROLLS || how == LETS_GO) {
     w.speed = v.speed;
     w.speed_error = v.speed_error = 4.0 * fabs(r->w0);
-    way = sign(r->pull);
+    direction = sign(r->pull);
     slip = 0.0;
   } else if (how != SLIPS) {
     const double s = r->slip_s, u = fabs(slip);
     const double late = (2.0 * fabs(r->w0) + u + 8.0 * (size + rim) * s) * r->inverse + 2.0 * s;
-    v = advance(v, s, r->pull - way * r->slides, size);
-    w = advance(w, s, way * rim, rim);
+    v = advance(v, s, r->pull - direction * r->slides, size);
+    w = advance(w, s, direction * rim, rim);
     if (rolling) { /* the mean of both does not feel the friction */
-      const double shares = spin * fabs(r->v0) + own * fabs(r->w0);
+      const double fractions = spin * fabs(r->v0) + own * fabs(r->w0);
       v.speed = w.speed = spin * r->v0 + own * r->w0 + mean_rate * s;
-      v.speed_error = w.speed_error = 8.0 * (shares + fabs(mean_rate) * s);
+      v.speed_error = w.speed_error = 8.0 * (fractions + fabs(mean_rate) * s);
       /* Paths are stationary where the slip ends: the error of that time counts twice. */
       const double again = 0.5 * ROT_EPS * fabs(r->rate) * late * late;
       v.path_error += again;
@@ -114,25 +116,25 @@ static inline int two_stretches(kind how, const row *r, const rot_incline_table_
     heat = r->mass * r->slides * (0.5 * s * u);
     left = r->time - s;
     slip = 0.0;
-    way = sign(r->pull);
-    v_most = larger(fabs(v_most), fabs(v.speed));
-    w_most = larger(fabs(w_most), fabs(w.speed));
-    x_most = v.path;
-    turn_most = w.path;
+    direction = sign(r->pull);
+    v_max = larger(fabs(v_max), fabs(v.speed));
+    w_max = larger(fabs(w_max), fabs(w.speed));
+    x_max = v.path;
+    turn_max = w.path;
   }
   if (rolling) {
     v = advance(v, left, mean_rate, fabs(mean_rate));
     w = advance(w, left, mean_rate, fabs(mean_rate));
   } else {
-    const double v_rate = r->pull - way * r->slides;
+    const double v_rate = r->pull - direction * r->slides;
     const double v_off = jump * r->slides, w_off = jump * rim;
     v = advance(v, left, v_rate, size);
-    w = advance(w, left, way * rim, rim);
+    w = advance(w, left, direction * rim, rim);
     v.speed_error += v_off;
     w.speed_error += w_off;
     v.path_error += v_off * left;
     w.path_error += w_off * left;
-    const double end = slip + (v_rate - way * rim) * left;
+    const double end = slip + (v_rate - direction * rim) * left;
     heat += r->mass * r->slides * (0.5 * left * fabs(slip + end));
   }
   const double theta = w.path / r->radius, omega = w.speed / r->radius;
@@ -149,9 +151,9 @@ static inline int two_stretches(kind how, const row *r, const rot_incline_table_
   out->roll_time_s[i] = roll_s;
   out->rolling[i] = rolling;
   const double of_v =
-      larger(figure(v.path_error, v.path, x_most), figure(v.speed_error, v.speed, v_most));
-  const double of_w = larger(figure(w.path_error + 2.0 * fabs(w.path), w.path, turn_most),
-                             figure(w.speed_error + 2.0 * fabs(w.speed), w.speed, w_most));
+      larger(figure(v.path_error, v.path, x_max), figure(v.speed_error, v.speed, v_max));
+  const double of_w = larger(figure(w.path_error + 2.0 * fabs(w.path), w.path, turn_max),
+                             figure(w.speed_error + 2.0 * fabs(w.speed), w.speed, w_max));
   out->error[i] = r->time == 0.0 ? 0.0 : larger(of_v, of_w);
   return 1;
 }
@@ -200,7 +202,7 @@ static inline void rows_of(kind how, const row rows[], const unsigned char at[],
                            const rot_incline_table_columns *out, size_t first) {
   for (size_t k = 0; k < n; k++) {
     const row *r = &rows[at[k]];
-    if (!two_stretches(how, r, out, first + at[k])) any_row(r, out, first + at[k]);
+    if (!two_segments(how, r, out, first + at[k])) any_row(r, out, first + at[k]);
   }
 }
 
@@ -244,7 +246,7 @@ static void table_rows(const void *data, size_t first, size_t last) {
         const double normal = r->gravity * cosine;
         r->pull = r->gravity * sine;
         r->slides = rot_incline_friction(r->mu_kinetic, normal);
-        r->grips = rot_incline_friction(r->mu_static, normal);
+        r->breakaway = rot_incline_friction(r->mu_static, normal);
         /* An infinite slip friction holds what rolls from the start. */
         if (r->arm == 0.0 && isfinite(r->slides)) how = kind_of(r);
       }
@@ -265,5 +267,5 @@ rot_status rot_incline_table(const rot_incline_rows *rows, int threads,
                              const rot_incline_table_columns *out, const rot_hooks *hooks,
                              rot_info *info) {
   const frame f = {rows, out};
-  return rot_share_rows(table_rows, &f, rows->n, PART, threads, hooks, info);
+  return rot_parallel_rows(table_rows, &f, rows->n, PART, threads, hooks, info);
 }

@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "maths/attitude.h"
-#include "engine/march.h"
+#include "engine/stepping.h"
 #include "scene/pivot/pivot.h"
 #include "ground/real.h"
 #include "scene/pivot/top_motion.h"
@@ -110,18 +110,18 @@ const char *rot_pivot_not_spinning(const rot_free_params *p) {
 /* ---- bounds ---------------------------------------------------------------------------------- */
 
 /* The limits of phi' between two values of u: of each of its two terms, which are monotone. */
-static void phi_rates(const top *x, double low, double high, double *least, double *most) {
+static void phi_rates(const top *x, double low, double high, double *min, double *max) {
   const double a = x->b_minus_a / (1.0 - low), b = x->b_minus_a / (1.0 - high);
   const double c = x->b_plus_a / (1.0 + low), d = x->b_plus_a / (1.0 + high);
-  *least = 0.5 * (fmin(a, b) + fmin(c, d));
-  *most = 0.5 * (fmax(a, b) + fmax(c, d));
+  *min = 0.5 * (fmin(a, b) + fmin(c, d));
+  *max = 0.5 * (fmax(a, b) + fmax(c, d));
 }
 
 /* The limits of the sine between two values of the cosine. */
-static void sines(double low, double high, double *least, double *most) {
+static void sines(double low, double high, double *min, double *max) {
   const double a = sqrt((1.0 - low) * (1.0 + low)), b = sqrt((1.0 - high) * (1.0 + high));
-  *least = fmin(a, b);
-  *most = low < 0.0 && high > 0.0 ? 1.0 : fmax(a, b);
+  *min = fmin(a, b);
+  *max = low < 0.0 && high > 0.0 ? 1.0 : fmax(a, b);
 }
 
 /* Errors until |t|, of the attitude and of omega. An attitude whose Euler angles err by (phi,
@@ -129,22 +129,22 @@ static void sines(double low, double high, double *least, double *most) {
  * and is even in time about its turning points leaves the mean by at most a quarter of the period
  * times its largest deviation, from there, or twice that from anywhere. */
 static void precession_errors(const top *x, double t, double *attitude, double *omega) {
-  double least, most, s_least, s_most;
+  double min, max, s_min, s_max;
   const double reach = fmax(x->high - x->u, x->u - x->low), time = fabs(t);
-  phi_rates(x, x->low, x->high, &least, &most);
-  sines(x->low, x->high, &s_least, &s_most);
-  const double off = fmax(most - x->mean_phi, x->mean_phi - least);
+  phi_rates(x, x->low, x->high, &min, &max);
+  sines(x->low, x->high, &s_min, &s_max);
+  const double off = fmax(max - x->mean_phi, x->mean_phi - min);
   const double swing_phi = 0.5 * x->period * off;
-  const double swing_rest = reach * fmax(fabs(least), fabs(most)) * x->period;
+  const double swing_rest = reach * fmax(fabs(min), fabs(max)) * x->period;
   const double phi = x->mean_phi - x->rate, psi = x->mean_psi - (x->omega3 - x->u * x->rate);
   const double theta = fmax(fabs(acos(x->low) - x->theta), fabs(acos(x->high) - x->theta));
   const double by_phi = fabs(phi) * time + swing_phi;
   const double by_psi =
       (fabs(x->u * phi + psi) + reach * fabs(phi)) * time + reach * swing_phi + swing_rest;
   const double psi_off = fabs(psi) * time + fabs(x->u) * swing_phi + swing_rest;
-  *attitude = theta + hypot(s_most * by_phi, by_psi);
-  *omega = (x->fastest > 0.0 ? x->fastest / s_least : 0.0) +
-           fmax(most - x->rate, x->rate - least) * s_most + fabs(x->rate) * (s_most - s_least) +
+  *attitude = theta + hypot(s_max * by_phi, by_psi);
+  *omega = (x->fastest > 0.0 ? x->fastest / s_min : 0.0) +
+           fmax(max - x->rate, x->rate - min) * s_max + fabs(x->rate) * (s_max - s_min) +
            fabs(x->rate) * x->s * fmin(2.0, psi_off);
 }
 
@@ -157,9 +157,9 @@ static void nutation_errors(const top *x, double t, double *attitude, double *om
   const double reach = fmax(x->high - x->u, x->u - x->low), time = fabs(t);
   *attitude = *omega = INFINITY;
   if (!(low > -1.0 && high < 1.0 && x->n > 0.0)) return;
-  double s_least, s_most;
-  sines(low, high, &s_least, &s_most);
-  const double most_u = fmax(fabs(low), fabs(high)), drive = 1.5 * x->beta * reach * reach;
+  double s_min, s_max;
+  sines(low, high, &s_min, &s_max);
+  const double max_u = fmax(fabs(low), fabs(high)), drive = 1.5 * x->beta * reach * reach;
   const double e = fmin(drive * time / x->n, reach + about);
   const double e_rate = fmin(drive * time, x->fastest + x->n * wave);
   const double sum = fmin(2.0 * drive * time / (x->n * x->n), e * time);
@@ -168,12 +168,12 @@ static void nutation_errors(const top *x, double t, double *attitude, double *om
       (fabs(x->b_minus_a) / pow(1.0 - high, 3.0) + fabs(x->b_plus_a) / pow(1.0 + low, 3.0));
   const double by_phi = fabs(x->phi_slope) * sum + curve * time;
   const double by_psi = fabs(x->psi_turn) * sum + curve * time;
-  const double fast = x->n * wave, phi_most = fabs(x->phi_rate) + fabs(x->phi_slope) * about;
-  const double tilt = e * most_u / s_least;
-  *attitude = e / s_least + by_phi + by_psi;
-  *omega = e_rate / s_least + fast * tilt / (s_least * s_least) +
-           (fabs(x->phi_slope) * e + curve) * s_most + phi_most * tilt +
-           (fast / s_least + phi_most * s_most) * fmin(2.0, by_psi);
+  const double fast = x->n * wave, phi_max = fabs(x->phi_rate) + fabs(x->phi_slope) * about;
+  const double tilt = e * max_u / s_min;
+  *attitude = e / s_min + by_phi + by_psi;
+  *omega = e_rate / s_min + fast * tilt / (s_min * s_min) +
+           (fabs(x->phi_slope) * e + curve) * s_max + phi_max * tilt +
+           (fast / s_min + phi_max * s_max) * fmin(2.0, by_psi);
 }
 
 static void errors_at(const top *x, double t, double *attitude, double *omega) {
@@ -251,7 +251,7 @@ static rot_status write_row(void *model, size_t i) {
 
 static rot_status rows(const rot_free_params *p, int nutates, size_t n, const double time_s[],
                        const rot_free_columns *out, const rot_hooks *hooks, rot_info *info) {
-  static const rot_march march = {NULL, NULL, NULL, write_row, NULL};
+  static const rot_stepping stepping = {NULL, NULL, NULL, write_row, NULL};
   top x;
   double omega[3], q[4];
   rot_info_clear(info, rot_free_measures);
@@ -262,7 +262,7 @@ static rot_status rows(const rot_free_params *p, int nutates, size_t n, const do
   x.info = info;
   rot_free_principal(p, omega, q);
   rot_free_note(p, omega, 0.0, 0.0, info);
-  return rot_march_rows(&march, &x, p->start_s, n, time_s, hooks, info);
+  return rot_step_rows(&stepping, &x, p->start_s, n, time_s, hooks, info);
 }
 
 rot_status rot_pivot_precession(const rot_free_params *p, size_t n, const double time_s[],

@@ -13,7 +13,7 @@
 /* ---- flows ----------------------------------------------------------------------------------- */
 
 enum { WORK = 0, TORQUE_X = 2, TORQUE_Y = 3 };
-enum { MOST_PANELS = 20000 };
+enum { MAX_PANELS = 20000 };
 
 typedef struct along {
   rot_free_rows_of *form;
@@ -54,11 +54,11 @@ static size_t edges_of(double start_s, const rot_task *task, double rate, double
   size_t at = 0, before = 0;
   while (before < n && task->time_s[before] < start_s) before++;
   if (n) span = fmax(task->time_s[n - 1], start_s) - fmin(task->time_s[0], start_s);
-  const double most = fmin(fmax(1.0, ceil(span * rate)), MOST_PANELS) / span;
+  const double max = fmin(fmax(1.0, ceil(span * rate)), MAX_PANELS) / span;
   for (size_t i = 0; i <= n; i++) {
     const double to = i < before ? task->time_s[i] : i == before ? start_s : task->time_s[i - 1];
     const double from = at ? edge[at - 1] : to;
-    const double parts = at ? fmax(1.0, ceil((to - from) * most)) : 1.0;
+    const double parts = at ? fmax(1.0, ceil((to - from) * max)) : 1.0;
     if (at && !(to > from)) continue;
     for (double k = 1.0; k < parts; k++) {
       const double t = from + (to - from) * (k / parts);
@@ -87,12 +87,12 @@ static void add_up(const rot_panels *panels, double start_s, const rot_task *tas
 
 static rot_status impulses(along *a, const rot_task *task, const rot_rows *rows, double rate,
                            double error[2]) {
-  const size_t most = task->n + 2 + MOST_PANELS + task->n;
-  double size[2], *edge = malloc(3 * most * sizeof *edge);
+  const size_t max = task->n + 2 + MAX_PANELS + task->n;
+  double size[2], *edge = malloc(3 * max * sizeof *edge);
   if (!edge) return ROT_ENOMEM;
   const size_t n = edges_of(a->p->start_s, task, rate, edge) - 1;
   const rot_panels panels = {
-      .width = 2, .n = n, .edge_s = edge, .value = edge + most, .error = error, .size = size};
+      .width = 2, .n = n, .edge_s = edge, .value = edge + max, .error = error, .size = size};
   const rot_status status = n ? rot_panels_integrate(&panels, torques, a) : ROT_OK;
   if (status == ROT_OK) add_up(&panels, a->p->start_s, task, rows);
   free(edge);
@@ -135,7 +135,7 @@ static int weighs(const rot_free_params *p) {
 }
 
 /* Gravity is vertical: the vertical component stays, and the sum of the energies. */
-size_t rot_pivot_keeps(const void *scene, size_t balance, const char *why[]) {
+size_t rot_pivot_conserved(const void *scene, size_t balance, const char *why[]) {
   const rot_free_params *p = scene;
   const int acts = p->law || p->n_knots || p->damping_per_s != 0.0 || p->torque[0] != 0.0 ||
                    p->torque[1] != 0.0 || p->torque[2] != 0.0;
@@ -151,13 +151,13 @@ size_t rot_pivot_keeps(const void *scene, size_t balance, const char *why[]) {
   return 0;
 }
 
-void rot_pivot_pace(const void *scene, const double sizes[], rot_pace *pace) {
+void rot_pivot_time_scales(const void *scene, const double sizes[], rot_time_scales *time_scales) {
   const rot_free_params *p = scene;
   const double *lever = p->lever_n_m;
-  double least = INFINITY;
+  double min = INFINITY;
   for (int k = 0; k < 3; k++) {
-    if (p->moment_kg_m2[k] > 0.0) least = fmin(least, p->moment_kg_m2[k]);
+    if (p->moment_kg_m2[k] > 0.0) min = fmin(min, p->moment_kg_m2[k]);
   }
-  rot_free_pace(scene, sizes, pace);
-  pace->swing_rad_per_s += sqrt(hypot(hypot(lever[0], lever[1]), lever[2]) / least);
+  rot_free_time_scales(scene, sizes, time_scales);
+  time_scales->swing_rad_per_s += sqrt(hypot(hypot(lever[0], lever[1]), lever[2]) / min);
 }

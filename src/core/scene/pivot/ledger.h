@@ -10,8 +10,8 @@
 rot_status rot_pivot_flows(rot_free_rows_of *form, const rot_free_params *p, const rot_task *task,
                            const rot_rows *rows, const rot_info *info, const rot_hooks *hooks);
 
-/* rot_constraint.keeps, .pace */
-size_t rot_pivot_keeps(const void *scene, size_t balance, const char *why[]);
-void rot_pivot_pace(const void *scene, const double sizes[], rot_pace *pace);
+/* rot_constraint.conserved, .time_scales */
+size_t rot_pivot_conserved(const void *scene, size_t balance, const char *why[]);
+void rot_pivot_time_scales(const void *scene, const double sizes[], rot_time_scales *time_scales);
 
 #endif

@@ -140,7 +140,7 @@ const rot_constraint rot_pivot_constraint = {
     .terms = terms,
     .audit = rot_free_audit,
     .explain = rot_free_explain,
-    .keeps = rot_pivot_keeps,
-    .pace = rot_pivot_pace,
+    .conserved = rot_pivot_conserved,
+    .time_scales = rot_pivot_time_scales,
     .shows = rot_pivot_shows,
 };

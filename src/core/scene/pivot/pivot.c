@@ -4,7 +4,7 @@
 
 #include "maths/attitude.h"
 #include "scene/free/rotors.h"
-#include "engine/march.h"
+#include "engine/stepping.h"
 #include "scene/pivot/top_motion.h"
 
 /* Moments across the axis are the same within their rounding. */
@@ -17,8 +17,8 @@ int rot_pivot_axis(const rot_free_params *p) {
   for (int k = 0; k < 3; k++) {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
     const double a = p->moment_kg_m2[i], b = p->moment_kg_m2[j], *g = p->lever_n_m;
-    const double most = fabs(g[k]) * (p->turned ? 8.0 * ROT_EPS : 0.0);
-    if (fabs(g[i]) <= most && fabs(g[j]) <= most && g[k] != 0.0 && fabs(a - b) <= ALIKE * a) {
+    const double max = fabs(g[k]) * (p->turned ? 8.0 * ROT_EPS : 0.0);
+    if (fabs(g[i]) <= max && fabs(g[j]) <= max && g[k] != 0.0 && fabs(a - b) <= ALIKE * a) {
       return k;
     }
   }
@@ -27,9 +27,9 @@ int rot_pivot_axis(const rot_free_params *p) {
 
 /* Whether all rotors lie along axis k. */
 static int along(const rot_free_rotors *r, int k) {
-  const double most = r->p->turned ? 8.0 * ROT_EPS : 0.0;
+  const double max = r->p->turned ? 8.0 * ROT_EPS : 0.0;
   for (size_t i = 0; i < r->n; i++) {
-    if (!(fabs(r->axis[i][(k + 1) % 3]) <= most && fabs(r->axis[i][(k + 2) % 3]) <= most)) return 0;
+    if (!(fabs(r->axis[i][(k + 1) % 3]) <= max && fabs(r->axis[i][(k + 2) % 3]) <= max)) return 0;
   }
   return 1;
 }
@@ -160,7 +160,7 @@ static rot_status log_turns(const run *r, size_t n, const double time_s[], rot_e
   const double rate = ldexp(m->lambda.hi, m->exponent), k = m->jacobi.k.hi;
   const double first = floor((rate * (from - r->p->start_s) + m->start.hi) / k);
   const double last = ceil((rate * (to - r->p->start_s) + m->start.hi) / k);
-  if (!(last - first <= ROT_FREE_MOST_FLIPS)) return ROT_OK;
+  if (!(last - first <= ROT_FREE_MAX_FLIPS)) return ROT_OK;
   for (double j = first; j <= last; j++) {
     const rot_dd u = rot_dd_sub(rot_dd_mul1(m->jacobi.k, j), m->start);
     const rot_dd s = rot_dd_ldexp(rot_dd_div(u, m->lambda), -m->exponent);
@@ -177,7 +177,7 @@ static rot_status log_turns(const run *r, size_t n, const double time_s[], rot_e
 rot_status rot_pivot_top(const rot_free_params *p, size_t n, const double time_s[],
                          const rot_free_columns *out, rot_events *events, const rot_hooks *hooks,
                          rot_info *info) {
-  static const rot_march march = {NULL, NULL, NULL, write_row, NULL};
+  static const rot_stepping stepping = {NULL, NULL, NULL, write_row, NULL};
   run r = {.time_s = time_s, .out = out, .info = info};
   double omega[3], q[4];
   rot_info_clear(info, rot_free_measures);
@@ -185,7 +185,7 @@ rot_status rot_pivot_top(const rot_free_params *p, size_t n, const double time_s
   if (info->status != ROT_OK) return info->status;
   rot_free_principal(p, omega, q);
   note(&r, omega, 0.0, 0.0);
-  const rot_status status = rot_march_rows(&march, &r, p->start_s, n, time_s, hooks, info);
+  const rot_status status = rot_step_rows(&stepping, &r, p->start_s, n, time_s, hooks, info);
   return status == ROT_OK ? info->status = log_turns(&r, n, time_s, events) : status;
 }
 

@@ -53,10 +53,10 @@ static int finite_dd(rot_dd x) { return isfinite(x.hi) && isfinite(x.lo); }
 static int unit(rot_dd q[4]) {
   int e;
   rot_dd sum = none;
-  double most = 0.0;
-  for (int i = 0; i < 4; i++) most = fmax(most, fabs(q[i].hi));
-  if (!(most > 0.0)) return 0;
-  (void)frexp(most, &e);
+  double max = 0.0;
+  for (int i = 0; i < 4; i++) max = fmax(max, fabs(q[i].hi));
+  if (!(max > 0.0)) return 0;
+  (void)frexp(max, &e);
   for (int i = 0; i < 4; i++) {
     q[i] = rot_dd_ldexp(q[i], -e);
     sum = rot_dd_add(sum, square(q[i]));
@@ -165,8 +165,7 @@ static void find_zeros(setup *s) {
   zeros(c, s->x);
 }
 
-/* Distances of the turning points from the poles, of two that have this product and this sum: the
- * smaller one from the product. */
+/* Of two roots with a known product, this one: the smaller as product / larger. */
 static rot_dd lesser(rot_dd direct, rot_dd other, rot_dd product) {
   if (direct.hi > other.hi && direct.hi > 0.0) return direct;
   return other.hi > 0.0 ? rot_dd_div(product, other) : none;
@@ -363,10 +362,10 @@ static void begin_moving(setup *s, rot_dd spin, rot_top_motion *out) {
   if (s->below.hi == 0.0 && s->rise.hi < 0.0) { /* cos(theta/2) has the sign of sn */
     for (int i = 0; i < 2; i++) out->sum0[i] = -out->sum0[i];
   }
-  const double apart = s->x[2].hi - s->x[1].hi;
-  out->m1_loss = apart > 0.0 ? 32.0 * ROT_DD_EPS * (1.0 + square(s->x[2]).hi / (apart * apart)) *
-                                   (1.0 + fabs(s->x[2].hi) / width)
-                             : ROT_DD_EPS;
+  const double gap = s->x[2].hi - s->x[1].hi;
+  out->m1_loss = gap > 0.0 ? 32.0 * ROT_DD_EPS * (1.0 + square(s->x[2]).hi / (gap * gap)) *
+                                 (1.0 + fabs(s->x[2].hi) / width)
+                           : ROT_DD_EPS;
   rot_jacobi_at(&out->jacobi, out->start, &sn, &cn, &dn);
   out->sum.start = swing_of(out, &out->sum, out->start.hi, sn, cn, dn, &out->sum.rounding);
   out->difference.start =
@@ -457,7 +456,7 @@ rot_status rot_top_begin_wheels(double i1, double i3, rot_dd weight, rot_dd whee
 }
 
 /* Where the two pass a pole on different sides, the angles differ by whole turns a nutation. */
-static double rate_apart(rot_dd a, rot_dd b, double period) {
+static double rate_gap(rot_dd a, rot_dd b, double period) {
   const double rate = rot_dd_sub(a, b).hi;
   return isfinite(period) && period > 0.0 ? fabs(remainder(rate * period, 2.0 * pi)) / period
                                           : fabs(rate);
@@ -471,8 +470,8 @@ void rot_top_differ(rot_top_motion *m, const rot_top_motion *other) {
   o.sum.rate = rot_dd_mul1(o.sum.rate, by);
   o.difference.rate = rot_dd_mul1(o.difference.rate, by);
   const double period = m->steady ? INFINITY : 2.0 * m->jacobi.k.hi / m->lambda.hi;
-  m->sum_error += rate_apart(o.sum.rate, m->sum.rate, period);
-  m->difference_error += rate_apart(o.difference.rate, m->difference.rate, period);
+  m->sum_error += rate_gap(o.sum.rate, m->sum.rate, period);
+  m->difference_error += rate_gap(o.difference.rate, m->difference.rate, period);
   if (!both) return;
   m->lambda_error += fabs(rot_dd_sub(rot_dd_mul1(o.lambda, by), m->lambda).hi);
   if (m->jacobi.m1 == 0.0 && o.jacobi.m1 == 0.0) return;

@@ -31,13 +31,13 @@ rot_shaft_stepper rot_shaft_stepper_in(size_t n, double memory[]) {
 
 rot_status rot_shaft_set_step(const rot_shaft_modes *s, rot_shaft_stepper *y, double h) {
   const size_t n = s->n, size = y->size;
-  double most = 0.0;
+  double max = 0.0;
   int exponent = 0;
   memset(y->a, 0, size * size * sizeof *y->a);
-  for (size_t m = 0; m < n; m++) most = fmax(most, fabs(system_force(s, m) * h));
-  frexp(most, &exponent);
+  for (size_t m = 0; m < n; m++) max = fmax(max, fabs(system_force(s, m) * h));
+  frexp(max, &exponent);
   y->step = h;
-  y->unit = most > 0.0 && isfinite(most) ? ldexp(1.0, exponent) : 1.0;
+  y->unit = max > 0.0 && isfinite(max) ? ldexp(1.0, exponent) : 1.0;
   for (size_t m = 0; m < n; m++) {
     double *position = y->a + m * size, *velocity = y->a + (n + m) * size;
     position[n + m] = m <= s->floppy ? (h < 0.0 ? -1.0 : 1.0) : s->sigma[m] * h;
@@ -71,10 +71,10 @@ static double system_error(const rot_shaft_modes *s, double t, const double p[],
         hypot(leak, s->leak[m] + s->force_leak[m] *
                                      (m > s->floppy ? fmin(fabs(t), 2.0 / s->sigma[m]) : fabs(t)));
   }
-  const double phase = s->norm * fabs(t), growth = t < 0.0 ? 1.0 + phase : 1.0;
-  return growth * leak +
+  const double phase = s->norm * fabs(t), propagation = t < 0.0 ? 1.0 + phase : 1.0;
+  return propagation * leak +
          (2.0 * (double)s->n + phase) *
-             (growth * fmax(start, now) + force * (phase > 1.0 ? 1.0 / s->norm : fabs(t)));
+             (propagation * fmax(start, now) + force * (phase > 1.0 ? 1.0 / s->norm : fabs(t)));
 }
 
 rot_status rot_shaft_jump(const rot_shaft_modes *s, rot_shaft_stepper *y, rot_dd time,

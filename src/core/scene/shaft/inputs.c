@@ -76,7 +76,7 @@ rot_status rot_shaft_build(const rot_given given[], rot_store *store, void *to, 
 
 double rot_shaft_start_s(const void *scene) { return ((const rot_shaft_params *)scene)->start_s; }
 
-size_t rot_shaft_copies(const void *scene) { return ((const rot_shaft_params *)scene)->n; }
+size_t rot_shaft_rows_per_time(const void *scene) { return ((const rot_shaft_params *)scene)->n; }
 
 /* ---- columns --------------------------------------------------------------------------------- */
 
@@ -92,7 +92,7 @@ const rot_column_of rot_shaft_all_columns[ROT_SHAFT_ALL_COLUMNS] = {
 /* ---- runs ------------------------------------------------------------------------------------ */
 
 /* Even rows may share an exponential where its error is good enough. */
-static int share_exponentials(double accuracy) { return accuracy >= 1e-11; }
+static int fraction_exponentials(double accuracy) { return accuracy >= 1e-11; }
 
 static rot_status run(int rigid, const void *scene, const rot_task *task, const rot_rows *rows,
                       const rot_hooks *hooks, rot_info *info) {
@@ -101,7 +101,7 @@ static rot_status run(int rigid, const void *scene, const rot_task *task, const 
   const rot_shaft_columns out = {column[THETA], column[OMEGA], column[SHAFT_TORQUE]};
   const size_t n = task->n;
   const rot_status status = rigid ? rot_shaft_rigid(p, n, task->time_s, &out, hooks, info)
-                                  : rot_shaft_modal(p, share_exponentials(task->accuracy), n,
+                                  : rot_shaft_modal(p, fraction_exponentials(task->accuracy), n,
                                                     task->time_s, &out, hooks, info);
   for (size_t i = 0; i < info->rows_done * p->n; i++) {
     const double momentum = p->inertia_kg_m2[i % p->n] * out.omega_rad_per_s[i];

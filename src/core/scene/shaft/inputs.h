@@ -15,6 +15,6 @@ extern const rot_model_run rot_shaft_runs[ROT_SHAFT_MODELS];
 rot_status rot_shaft_build(const rot_given given[], rot_store *store, void *scene,
                            rot_refusal *refusal);
 double rot_shaft_start_s(const void *scene);
-size_t rot_shaft_copies(const void *scene);
+size_t rot_shaft_rows_per_time(const void *scene);
 
 #endif

@@ -80,14 +80,14 @@ static rot_status find_heat(const rot_shaft_modes *s, double from, double span, 
   }
   x[2 * n] = 1.0;
   rot_expm_apply(size, w, x, y);
-  double most = 0.0;
+  double max = 0.0;
   ledger->dissipated_j = 0.0;
   for (size_t i = 0; i < size; i++) {
     ledger->dissipated_j += x[i] * y[i];
-    for (size_t j = 0; j < size; j++) most += fabs(x[i] * w[i * size + j] * x[j]);
+    for (size_t j = 0; j < size; j++) max += fabs(x[i] * w[i * size + j] * x[j]);
   }
   ledger->dissipated_rounding_j =
-      ROT_EPS * (32.0 + 8.0 * (double)n + 4.0 * s->norm * (fabs(from) + span)) * most;
+      ROT_EPS * (32.0 + 8.0 * (double)n + 4.0 * s->norm * (fabs(from) + span)) * max;
   free(memory);
   return isfinite(ledger->dissipated_j) || status != ROT_OK ? status : ROT_ERANGE;
 }
@@ -140,20 +140,20 @@ static rot_status balance_of_modes(const rot_shaft_params *p, rot_dd begin, rot_
   return status;
 }
 
-/* int omega^2 by Gauss and Legendre over stretches of decay * t = 2. */
+/* int omega^2 by Gauss and Legendre over segments of decay * t = 2. */
 static rot_status balance_of_lump(const rot_shaft_params *p, double from, double to,
                                   rot_shaft_ledger *ledger) {
   rot_shaft_lump s;
-  double theta0, theta1, omega, theta_size, omega_size, torque = 0.0, most = 0.0;
+  double theta0, theta1, omega, theta_size, omega_size, torque = 0.0, max = 0.0;
   const rot_status status = rot_shaft_lump_build(&s, p);
   if (status != ROT_OK) return status;
   rot_shaft_lump_at(&s, from, &theta0, &omega, &theta_size, &omega_size);
-  most += theta_size;
+  max += theta_size;
   rot_shaft_lump_at(&s, to, &theta1, &omega, &theta_size, &omega_size);
-  most += theta_size;
+  max += theta_size;
   for (size_t i = 0; i < p->n; i++) torque += p->torque_n_m[i];
   ledger->work_j = torque * (theta1 - theta0);
-  ledger->work_rounding_j = fabs(torque) * 16.0 * ROT_EPS * most;
+  ledger->work_rounding_j = fabs(torque) * 16.0 * ROT_EPS * max;
   /* After 40 times 1/decay from the start omega has settled: the rest in one go. */
   const double settled = s.decay > 0.0 ? fmin(to, fmax(from, 40.0 / s.decay)) : to;
   const double parts = fmax(1.0, ceil(s.decay * (settled - from) / 2.0));
@@ -230,7 +230,7 @@ static double elastic_at(const rot_shaft_params *p, const double omega[], const 
 rot_status rot_shaft_flow(const rot_shaft_params *p, int rigid, size_t n, const double time_s[],
                           const rot_shaft_columns *rows, const rot_info *info, double *const flow[],
                           double error[], const rot_hooks *hooks) {
-  const double torque = sum_of(p->n, p->torque_n_m), most = size_of(p->n, p->torque_n_m);
+  const double torque = sum_of(p->n, p->torque_n_m), max = size_of(p->n, p->torque_n_m);
   rot_status status = ROT_OK;
   for (int k = 0; k < ROT_SHAFT_FLOWS; k++) error[k] = 0.0;
   for (size_t i = 0; i < n && status == ROT_OK; i++) {
@@ -249,7 +249,7 @@ rot_status rot_shaft_flow(const rot_shaft_params *p, int rigid, size_t n, const 
                            info->measure[ROT_OMEGA].error, &off[ELASTIC]);
     off[WORK] = ledger.work_rounding_j;
     off[HEAT] = ledger.dissipated_rounding_j;
-    off[IMPULSE] = 8.0 * ROT_EPS * most * fabs(t - p->start_s);
+    off[IMPULSE] = 8.0 * ROT_EPS * max * fabs(t - p->start_s);
     for (int k = 0; k < ROT_SHAFT_FLOWS; k++) error[k] = fmax(error[k], off[k]);
   }
   return status;
@@ -288,7 +288,7 @@ void rot_shaft_audit(const void *scene, const rot_span *s, double term[]) {
 }
 
 /* Shafts twist and give back; they act between the rotors. */
-size_t rot_shaft_keeps(const void *scene, size_t balance, const char *why[]) {
+size_t rot_shaft_conserved(const void *scene, size_t balance, const char *why[]) {
   const rot_shaft_params *p = scene;
   size_t n = 0;
   if (size_of(p->n, p->torque_n_m) != 0.0) why[n++] = "a torque acts on a rotor";

@@ -35,6 +35,6 @@ rot_status rot_shaft_flow(const rot_shaft_params *p, int rigid, size_t n, const 
 
 /* rot_constraint.audit and .keeps */
 void rot_shaft_audit(const void *scene, const rot_span *span, double term[]);
-size_t rot_shaft_keeps(const void *scene, size_t balance, const char *why[]);
+size_t rot_shaft_conserved(const void *scene, size_t balance, const char *why[]);
 
 #endif

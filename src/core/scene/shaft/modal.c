@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "maths/expm.h"
-#include "engine/march.h"
+#include "engine/stepping.h"
 #include "ground/real.h"
 #include "scene/shaft/modes.h"
 #include "scene/shaft/decoupled.h"
@@ -47,7 +47,7 @@ static rot_status write_row(const modal_run *run, size_t row, double t) {
     momentum -= p->viscous_n_m_s[i] / s->inertia * (theta[i] - p->theta0_rad[i]);
     size += p->viscous_n_m_s[i] / s->inertia * fabs(theta[i] - p->theta0_rad[i]);
   }
-  for (size_t i = 0; i < n; i++) momentum -= s->share[i] * omega[i];
+  for (size_t i = 0; i < n; i++) momentum -= s->fraction[i] * omega[i];
   /* The rounding of this sum itself is no error of the rows. */
   const double residual = fmax(0.0, fabs(momentum) - 2.0 * (double)n * ROT_EPS * size);
   for (size_t i = 0; i < n; i++) {
@@ -96,7 +96,7 @@ static size_t even_rows(const rot_shaft_modes *s, size_t n, const double time_s[
 
 /* Rows i .. i + count - 1, evenly h apart, row i at hand: one matrix times a vector each, with a
  * first-order correction for what is not even in the times. *end: the rows written. */
-static rot_status even_stretch(const modal_run *run, size_t i, size_t count, size_t *end) {
+static rot_status even_segment(const modal_run *run, size_t i, size_t count, size_t *end) {
   const rot_shaft_modes *s = run->s;
   const rot_shaft_stepper *grid = &run->grid;
   const size_t n = s->n, size = grid->size;
@@ -154,7 +154,7 @@ static rot_status coupled_rows(void *model, size_t i, size_t last, size_t *end) 
     return status;
   }
   run->even_left -= count;
-  return even_stretch(run, i, count, end);
+  return even_segment(run, i, count, end);
 }
 
 static rot_status decoupled_rows(void *model, size_t i, size_t last, size_t *end) {
@@ -171,8 +171,8 @@ static rot_status decoupled_rows(void *model, size_t i, size_t last, size_t *end
 
 rot_status rot_shaft_modal(const rot_shaft_params *p, int fast, size_t n, const double time_s[],
                            const rot_shaft_columns *out, const rot_hooks *hooks, rot_info *info) {
-  static const rot_march coupled = {.write_rows = coupled_rows};
-  static const rot_march decoupled = {.write_rows = decoupled_rows};
+  static const rot_stepping coupled = {.write_rows = coupled_rows};
+  static const rot_stepping decoupled = {.write_rows = decoupled_rows};
   rot_shaft_modes s;
   rot_shaft_note_start(p, info);
   info->status = rot_shaft_modes_build(&s, p, hooks);
@@ -190,7 +190,7 @@ rot_status rot_shaft_modal(const rot_shaft_params *p, int fast, size_t n, const 
       run.error = x += p->n;
       run.state = x + p->n;
       info->steps = s.decoupled && n > 0;
-      rot_march_rows(s.decoupled ? &decoupled : &coupled, &run, p->start_s, n, time_s, hooks, info);
+      rot_step_rows(s.decoupled ? &decoupled : &coupled, &run, p->start_s, n, time_s, hooks, info);
     } else {
       info->status = ROT_ENOMEM;
     }

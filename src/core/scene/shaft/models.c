@@ -42,15 +42,15 @@ static const char *not_rigid(const void *scene, const rot_query *query) {
 }
 
 /* Whether c_i = a k_i and d_i = b J_i: then each mode has a closed form. */
-static int modes_apart(const rot_shaft_params *p) {
-  int apart = 1;
+static int modes_difference(const rot_shaft_params *p) {
+  int difference = 1;
   for (size_t i = 1; i < p->n; i++) {
     const double *J = p->inertia_kg_m2, *d = p->viscous_n_m_s, *k = p->stiffness_n_m_per_rad;
     const double *c = p->damping_n_m_s, off = d[i] * J[0] - d[0] * J[i];
-    apart &= fabs(off) <= 1e-12 * d[i] * J[0];
-    if (i + 1 < p->n) apart &= fabs(c[i] * k[0] - c[0] * k[i]) <= 1e-12 * c[i] * k[0];
+    difference &= fabs(off) <= 1e-12 * d[i] * J[0];
+    if (i + 1 < p->n) difference &= fabs(c[i] * k[0] - c[0] * k[i]) <= 1e-12 * c[i] * k[0];
   }
-  return apart;
+  return difference;
 }
 
 static double rigid_s(const rot_model *model, const void *scene, const rot_query *query) {
@@ -64,7 +64,7 @@ static double rigid_s(const rot_model *model, const void *scene, const rot_query
 static double modal_s(const rot_model *model, const void *scene, const rot_query *query) {
   const double n = (double)((const rot_shaft_params *)scene)->n, rows = (double)query->n;
   const double *s = model->seconds, cube = n * n * n * s[3];
-  if (modes_apart(scene)) return s[0] + cube + rows * n * (s[1] + n * s[2]);
+  if (modes_difference(scene)) return s[0] + cube + rows * n * (s[1] + n * s[2]);
   return 3.0 * s[0] + 2.0 * cube +
          rows * n * n * (query->accuracy >= 1e-11 ? 11.0 * s[2] : 100.0 * s[2] + n * s[3]);
 }
@@ -94,7 +94,7 @@ static const rot_model models[] = {
  * J^-1/2 K J^-1/2, with K of springs or of dampers between neighbours. */
 static double largest_rate(const rot_shaft_params *p, const double k[]) {
   const double *J = p->inertia_kg_m2;
-  double most = 0.0, before = 0.0;
+  double max = 0.0, before = 0.0;
   for (size_t i = 0; i < p->n; i++) {
     double behind = 0.0, own = 0.0, next = 0.0;
     if (i + 1 < p->n) {
@@ -103,13 +103,13 @@ static double largest_rate(const rot_shaft_params *p, const double k[]) {
       next = k[i] / J[i + 1] + across;
       behind = own + across;
     }
-    most = fmax(most, behind + before);
+    max = fmax(max, behind + before);
     before = next;
   }
-  return most;
+  return max;
 }
 
-static void pace(const void *scene, const double sizes[], rot_pace *to) {
+static void time_scales(const void *scene, const double sizes[], rot_time_scales *to) {
   const rot_shaft_params *p = scene;
   double slows = 0.0;
   (void)sizes;
@@ -137,7 +137,7 @@ const rot_constraint rot_shaft_constraint = {
     .scene_size = sizeof(rot_shaft_params),
     .start_s = rot_shaft_start_s,
     .index = "rotor",
-    .copies = rot_shaft_copies,
+    .rows_per_time = rot_shaft_rows_per_time,
     .n_flows = ROT_SHAFT_FLOWS,
     .flows = rot_shaft_flow_names,
     .n_balances = ROT_SHAFT_BALANCES,
@@ -145,6 +145,6 @@ const rot_constraint rot_shaft_constraint = {
     .n_terms = ROT_SHAFT_TERMS,
     .terms = rot_shaft_terms,
     .audit = rot_shaft_audit,
-    .keeps = rot_shaft_keeps,
-    .pace = pace,
+    .conserved = rot_shaft_conserved,
+    .time_scales = time_scales,
 };

@@ -11,7 +11,7 @@
 static int allocate(rot_shaft_modes *s, size_t n) {
   double *next = s->memory = calloc(n * (4 * n + 10), sizeof *next);
   if (!next) return 0;
-  double **small[] = {&s->leak,  &s->force_leak, &s->sigma_lo, &s->sigma_off, &s->share,
+  double **small[] = {&s->leak,  &s->force_leak, &s->sigma_lo, &s->sigma_off, &s->fraction,
                       &s->sigma, &s->damp,       &s->p0,       &s->r0,        &s->force};
   double **large[] = {&s->shape, &s->twist, &s->lever, &s->coupling};
   for (int i = 0; i < 10; i++, next += n) *small[i] = next;
@@ -78,11 +78,11 @@ static rot_status shape_group(rot_shaft_modes *s, size_t first, size_t last) {
   const size_t n = s->n;
   const double *k = s->p->stiffness_n_m_per_rad;
   double all = 0.0, left = 0.0;
-  for (size_t i = first; i <= last; i++) all += s->share[i];
+  for (size_t i = first; i <= last; i++) all += s->fraction[i];
   for (size_t j = first; j < last; j++) {
     double right = 0.0;
-    left += s->share[j];
-    for (size_t i = j + 1; i <= last; i++) right += s->share[i];
+    left += s->fraction[j];
+    for (size_t i = j + 1; i <= last; i++) right += s->fraction[i];
     for (size_t m = 1 + s->floppy; m < n; m++) {
       const double twist = s->sigma[m] * (s->lever[j * n + m] / k[j]);
       s->twist[j * n + m] = twist;
@@ -98,8 +98,8 @@ static rot_status shape_group(rot_shaft_modes *s, size_t first, size_t last) {
 /* Mode f moves the groups before group f against group f. */
 static void shape_floppy(rot_shaft_modes *s, size_t f, size_t first, size_t last) {
   double before = 0.0, here = 0.0;
-  for (size_t i = 0; i < first; i++) before += s->share[i];
-  for (size_t i = first; i <= last; i++) here += s->share[i];
+  for (size_t i = 0; i < first; i++) before += s->fraction[i];
+  for (size_t i = first; i <= last; i++) here += s->fraction[i];
   const double root = s->root_inertia, both = before + here;
   for (size_t i = 0; i < first; i++) s->shape[i * s->n + f] = sqrt(here / both / before) / root;
   for (size_t i = first; i <= last; i++) {
@@ -193,16 +193,16 @@ static void energies(const rot_shaft_modes *s, const scaled_shape *x, rot_dd squ
 
 /* The least |sigma_l^2 - sigma_m^2| over sigma_m^2 of a mode that moves the same pieces. */
 static double nearest_mode(const rot_shaft_modes *s, size_t m) {
-  double least = 1.0; /* the rigid-body modes */
+  double min = 1.0; /* the rigid-body modes */
   for (size_t l = 1 + s->floppy; l < s->n; l++) {
     int meet = 0;
     for (size_t j = 0; j + 1 < s->n; j++) {
       meet |= s->twist[j * s->n + l] != 0.0 && s->twist[j * s->n + m] != 0.0;
     }
     const double ratio = s->sigma[l] / s->sigma[m];
-    if (l != m && meet) least = fmin(least, fabs(ratio - 1.0) * (ratio + 1.0));
+    if (l != m && meet) min = fmin(min, fabs(ratio - 1.0) * (ratio + 1.0));
   }
-  return least;
+  return min;
 }
 
 /* Elastic over kinetic energy of a shape given by its twists, sigma^2 = sum k twist^2 /
@@ -214,15 +214,15 @@ static double nearest_mode(const rot_shaft_modes *s, size_t m) {
 static rot_dd sharp_sigma(const rot_shaft_modes *s, size_t m, double *off) {
   const size_t n = s->n;
   scaled_shape x = {0, 0, 0, s->twist + m, n};
-  double most_k = 0.0, most_J = 0.0, most = 0.0, lacking;
-  for (size_t i = 0; i < n; i++) most_J = fmax(most_J, s->p->inertia_kg_m2[i]);
+  double max_k = 0.0, max_J = 0.0, max = 0.0, lacking;
+  for (size_t i = 0; i < n; i++) max_J = fmax(max_J, s->p->inertia_kg_m2[i]);
   for (size_t j = 0; j + 1 < n; j++) {
-    most_k = fmax(most_k, s->p->stiffness_n_m_per_rad[j]);
-    most = fmax(most, fabs(s->twist[j * n + m]));
+    max_k = fmax(max_k, s->p->stiffness_n_m_per_rad[j]);
+    max = fmax(max, fabs(s->twist[j * n + m]));
   }
-  (void)frexp(most_k, &x.of_k);
-  (void)frexp(most_J, &x.of_J);
-  (void)frexp(most, &x.of_twist);
+  (void)frexp(max_k, &x.of_k);
+  (void)frexp(max_J, &x.of_J);
+  (void)frexp(max, &x.of_twist);
   x.of_J += (x.of_k - x.of_J) % 2; /* an even power between them, for the root */
   rot_dd elastic, kinetic;
   energies(s, &x, (rot_dd){0.0, 0.0}, &elastic, &kinetic, &lacking);
@@ -253,16 +253,16 @@ static rot_status sharpen(rot_shaft_modes *s) {
 
 /* x_i = ratio y_i for all i, to rounding; the ratio is 0 for no damping. */
 static int proportional(size_t n, const double x[], const double y[], double *ratio) {
-  double least = INFINITY, most = 0.0;
+  double min = INFINITY, max = 0.0;
   *ratio = 0.0;
   for (size_t i = 0; i < n; i++) {
     if (x[i] == 0.0 && y[i] == 0.0) continue;
-    least = fmin(least, x[i] / y[i]);
-    most = fmax(most, x[i] / y[i]);
+    min = fmin(min, x[i] / y[i]);
+    max = fmax(max, x[i] / y[i]);
   }
-  if (!(most - least <= 4.0 * ROT_EPS * most || most == 0.0)) return 0;
-  *ratio = most;
-  return isfinite(most);
+  if (!(max - min <= 4.0 * ROT_EPS * max || max == 0.0)) return 0;
+  *ratio = max;
+  return isfinite(max);
 }
 
 /* Column 0 of twist is zero, so torques between the rotors do not act on the mean, exactly. */
@@ -393,7 +393,7 @@ rot_status rot_shaft_modes_build(rot_shaft_modes *s, const rot_shaft_params *p,
   s->hooks = hooks;
   if (!allocate(s, p->n)) return ROT_ENOMEM;
   for (size_t i = 0; i < p->n; i++) s->inertia += p->inertia_kg_m2[i];
-  for (size_t i = 0; i < p->n; i++) s->share[i] = p->inertia_kg_m2[i] / s->inertia;
+  for (size_t i = 0; i < p->n; i++) s->fraction[i] = p->inertia_kg_m2[i] / s->inertia;
   for (size_t j = 0; j + 1 < p->n; j++) s->floppy += p->stiffness_n_m_per_rad[j] == 0.0;
   s->root_inertia = sqrt(s->inertia);
   rot_status status = find_twists(s);

@@ -22,7 +22,7 @@ typedef struct rot_shaft_modes {
   double *leak, *force_leak; /* n: sizes whose roundings p0 and r0, and force, carry */
   double *sigma_lo;          /* n: what sigma lacks */
   double *sigma_off;         /* n: relative error of both together, some 1e-30 */
-  double *share;             /* J_i / sum J */
+  double *fraction;          /* J_i / sum J */
   double *sigma, *damp;      /* n: frequency; diagonal damping */
   double *p0, *r0, *force;   /* n: state at the start, modal torque; r0[0] = omega0 */
   double *shape;             /* n x n: theta_i per q_m; column 0 is 1 */

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "engine/march.h"
+#include "engine/stepping.h"
 #include "maths/phi.h"
 #include "ground/real.h"
 
@@ -15,20 +15,20 @@ rot_status rot_shaft_lump_build(rot_shaft_lump *s, const rot_shaft_params *p) {
   s->n = n;
   s->memory = calloc(3 * n, sizeof *s->memory);
   if (!s->memory) return ROT_ENOMEM;
-  s->share = s->memory;
+  s->fraction = s->memory;
   s->base = s->memory + n;
   s->slope = s->memory + 2 * n;
   for (size_t i = 0; i < n; i++) s->inertia += p->inertia_kg_m2[i];
   for (size_t i = 0; i < n; i++) {
-    s->share[i] = p->inertia_kg_m2[i] / s->inertia;
+    s->fraction[i] = p->inertia_kg_m2[i] / s->inertia;
     s->alpha += p->torque_n_m[i] / s->inertia;
     s->decay += p->viscous_n_m_s[i] / s->inertia;
     s->damped |= p->viscous_n_m_s[i] > 0.0;
   }
   s->theta0 = s->omega0 = 0.0;
   for (size_t i = 1; i < n; i++) {
-    s->theta0 += s->share[i] * (p->theta0_rad[i] - p->theta0_rad[0]);
-    s->omega0 += s->share[i] * (p->omega0_rad_per_s[i] - p->omega0_rad_per_s[0]);
+    s->theta0 += s->fraction[i] * (p->theta0_rad[i] - p->theta0_rad[0]);
+    s->omega0 += s->fraction[i] * (p->omega0_rad_per_s[i] - p->omega0_rad_per_s[0]);
   }
   s->theta0 += p->theta0_rad[0];
   s->omega0 += p->omega0_rad_per_s[0];
@@ -37,12 +37,12 @@ rot_status rot_shaft_lump_build(rot_shaft_lump *s, const rot_shaft_params *p) {
     const double k = p->stiffness_n_m_per_rad[j];
     double left = 0.0, torque_left = 0.0, torque_right = 0.0, drag_left = 0.0, drag_right = 0.0;
     for (size_t i = 0; i < n; i++) {
-      left += i <= j ? s->share[i] : 0.0;
+      left += i <= j ? s->fraction[i] : 0.0;
       *(i <= j ? &torque_left : &torque_right) += p->torque_n_m[i];
       *(i <= j ? &drag_left : &drag_right) += p->viscous_n_m_s[i];
     }
     double right = 0.0;
-    for (size_t i = j + 1; i < n; i++) right += s->share[i];
+    for (size_t i = j + 1; i < n; i++) right += s->fraction[i];
     s->base[j] = right * torque_left - left * torque_right;
     s->slope[j] = left * drag_right - right * drag_left;
     if (fabs(s->slope[j]) <= 8.0 * ROT_EPS * (drag_left + drag_right)) s->slope[j] = 0.0;
@@ -99,7 +99,7 @@ static rot_status write_row(void *model, size_t row) {
     double left = 0.0, twists = 0.0;
     for (size_t j = 0; j + 1 < n; j++) {
       const double k = p->stiffness_n_m_per_rad[j];
-      left += s->share[j];
+      left += s->fraction[j];
       const double twist = (fabs(s->base[j] + s->slope[j] * omega) + off * sqrt(k)) / k;
       twists += (j >= i ? 1.0 - left : left) * twist;
     }
@@ -116,14 +116,14 @@ static rot_status write_row(void *model, size_t row) {
 
 rot_status rot_shaft_rigid(const rot_shaft_params *p, size_t n, const double time_s[],
                            const rot_shaft_columns *out, const rot_hooks *hooks, rot_info *info) {
-  static const rot_march march = {.write_row = write_row};
+  static const rot_stepping stepping = {.write_row = write_row};
   rot_shaft_lump s;
   rigid_run run = {&s, time_s, out, info};
   rot_shaft_note_start(p, info);
   info->status = rot_shaft_lump_build(&s, p);
   info->steps = n > 0;
   if (info->status == ROT_OK) {
-    rot_march_rows(&march, &run, p->start_s, n, time_s, hooks, info);
+    rot_step_rows(&stepping, &run, p->start_s, n, time_s, hooks, info);
   }
   rot_shaft_lump_free(&s);
   return info->status;

@@ -16,7 +16,7 @@ typedef struct rot_shaft_lump {
   double path;    /* energy norm of slope_j: what a change of omega by 1 adds */
   int mean_exact; /* the mean motion is that of the rigid rot_shaft_modes */
   int damped, broken;
-  double *memory, *share, *base, *slope;
+  double *memory, *fraction, *base, *slope;
 } rot_shaft_lump;
 
 /* rot_shaft_lump_free() afterwards, also where this failed. */

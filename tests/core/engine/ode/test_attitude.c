@@ -152,7 +152,7 @@ static void check_tumbling(void) {
   enum { ROWS = 100 };
   static double t[ROWS], y[ROWS * DIM];
   static long double want[ROWS][DIM];
-  long double now[DIM], moved[DIM], least = 0.0L;
+  long double now[DIM], moved[DIM], min = 0.0L;
   double error[2], largest[2];
   body b = {{1.0, 2.0, 3.0}, 0, 0};
   for (int c = 0; c < DIM; c++) now[c] = moved[c] = start[c];
@@ -165,10 +165,10 @@ static void check_tumbling(void) {
     }
     for (int c = 0; c < DIM; c++) {
       want[i][c] = now[c];
-      least = fmaxl(least, fabsl(moved[c] - now[c]));
+      min = fmaxl(min, fabsl(moved[c] - now[c]));
     }
   }
-  const double held = 30.0 * (double)least; /* roundings of 1000 steps: their square root */
+  const double held = 30.0 * (double)min; /* roundings of 1000 steps: their square root */
   double before[3];
   to_space(start, before);
   const double energy = 0.5 * (0.01 * 0.01 + 16.0 / 2.0 + 0.03 * 0.03 / 3.0);
@@ -182,12 +182,12 @@ static void check_tumbling(void) {
     double worst = 0.0, momentum = 0.0, lost = 0.0, in_space = 0.0, length = 0.0;
     for (int i = 0; i < ROWS; i++) {
       const double *row = y + i * DIM;
-      double q[4], apart = 0.0, space[3];
+      double q[4], difference = 0.0, space[3];
       for (int c = 0; c < 4; c++) q[c] = (double)want[i][c];
-      for (int c = 4; c < DIM; c++) apart += pow((double)(row[c] - want[i][c]), 2);
+      for (int c = 4; c < DIM; c++) difference += pow((double)(row[c] - want[i][c]), 2);
       to_space(row, space);
       worst = fmax(worst, angle(row, q));
-      momentum = fmax(momentum, sqrt(apart));
+      momentum = fmax(momentum, sqrt(difference));
       for (int c = 0; c < 3; c++) in_space = fmax(in_space, fabs(space[c] - before[c]));
       lost =
           fmax(lost, fabs(0.5 * (row[4] * row[4] + row[5] * row[5] / 2.0 + row[6] * row[6] / 3.0) -
@@ -195,7 +195,7 @@ static void check_tumbling(void) {
       length = fmax(length, fabs(row[0] * row[0] + row[1] * row[1] + row[2] * row[2] +
                                  row[3] * row[3] - 1.0));
     }
-    if (k == 0) printf("half an ulp of the start moves the motion by %.1e\n", (double)least);
+    if (k == 0) printf("half an ulp of the start moves the motion by %.1e\n", (double)min);
     printf("tumbling 1e-%02d%s: %ld calls, off by %.1e rad (estimate %.1e), L %.1e (%.1e), energy "
            "%.1e, L in space %.1e, length %.1e\n",
            6 + 2 * (k / 2), k % 2 ? " projected" : "", b.calls, worst, error[0], momentum, error[1],

@@ -162,8 +162,8 @@ static void check_kinks(void) {
   }
 }
 
-/* A spring that is met at an angle, again and again: a wall from its first meeting on. */
-static void check_wall(void) {
+/* A spring that is met at an angle, again and again: a surface from its first meeting on. */
+static void check_surface(void) {
   static result cheap, out;
   for (int decades = 8; decades <= 12; decades += 2) {
     for (double at = -0.5; at < 0.9; at += 0.25) {
@@ -197,7 +197,7 @@ int main(void) {
   check_smooth();
   check_break();
   check_kinks();
-  check_wall();
+  check_surface();
   check_failures();
   return rot_test_report("ode_collocate");
 }

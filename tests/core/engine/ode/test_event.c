@@ -105,7 +105,7 @@ static void check_two_within_a_step(void) {
 
 typedef struct ball {
   double restitution;
-  int bounces, most, mode;
+  int bounces, max, mode;
 } ball;
 
 static rot_status fall(double t, const double y[], double f[], void *ctx) {
@@ -126,7 +126,7 @@ static rot_ode_then bounce(double t, double y[], int *mode, int forward, void *c
     *mode = 1;
     y[1] = 0.0;
   }
-  return ROT_ODE_NEW_STRETCH;
+  return ROT_ODE_NEW_SEGMENT;
 }
 
 static double height(double t, const double y[], void *ctx) {

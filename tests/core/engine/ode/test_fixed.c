@@ -29,12 +29,12 @@ static void positions(double t, double h, const double before[], double y[], voi
   y[0] = before[0] + h * y[1];
 }
 
-#define check_near(got, want, most) ROT_CHECK(fabs((got) - (want)) <= (most))
+#define check_near(got, want, max) ROT_CHECK(fabs((got) - (want)) <= (max))
 
-enum { MOST = 64 };
+enum { MAX = 64 };
 
 typedef struct result {
-  double y[MOST][4], error[4], largest[4];
+  double y[MAX][4], error[4], largest[4];
   rot_info info;
   rot_events events;
 } result;
@@ -177,7 +177,7 @@ static void test_ends(void) {
 }
 
 static void test_default_step(void) {
-  const rot_pace swing = {INFINITY, 2.0}, fades = {0.5, 2.0}, none = {INFINITY, 0.0};
+  const rot_time_scales swing = {INFINITY, 2.0}, fades = {0.5, 2.0}, none = {INFINITY, 0.0};
   check_near(rot_fixed_step_s(&swing, 10.0), 3.14159265358979 / 64.0, 1e-15);
   check_near(rot_fixed_step_s(&fades, 10.0), 0.5 / 64.0, 1e-16);
   check_near(rot_fixed_step_s(&none, 10.0), 0.01, 1e-17);

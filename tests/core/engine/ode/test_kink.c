@@ -35,7 +35,7 @@ static rot_ode_then change(double t, double y[], int *mode, int forward, void *c
   (void)forward;
   (void)ctx;
   *mode = -*mode;
-  return ROT_ODE_NEW_STRETCH;
+  return ROT_ODE_NEW_SEGMENT;
 }
 
 static double uniform(uint64_t *seed) {

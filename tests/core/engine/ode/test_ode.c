@@ -96,10 +96,10 @@ static double jumps_solved(double t) {
 
 /* ---- helpers -------------------------------------------------------------------------------- */
 
-enum { MOST = 4096 };
+enum { MAX = 4096 };
 
 typedef struct outcome {
-  double y[MOST], error[4], largest[4];
+  double y[MAX], error[4], largest[4];
   rot_status status;
   rot_info info;
 } outcome;

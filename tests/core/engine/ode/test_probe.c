@@ -50,23 +50,25 @@ static void check_changes(void) {
   for (int method = ROT_METHOD_RK8PD; method <= ROT_METHOD_RADAU; method++) {
     for (double at = 0.9; at < 95.0; at += 3.7) {
       for (int back = 0; back < 2; back++) {
-        const double way = back ? -1.0 : 1.0, t[] = {way * 10.0};
+        const double direction = back ? -1.0 : 1.0, t[] = {direction * 10.0};
         rot_info info;
-        law angle = {BY_ANGLE, way * at, way * at + 0.55, 4.0, 0.0, 2, 0};
+        law angle = {BY_ANGLE, direction * at, direction * at + 0.55, 4.0, 0.0, 2, 0};
         rot_ode_params p = problem(&angle, start, 0.005, (rot_method)method);
         ROT_CHECK_EQ_INT(rot_ode_run(&p, 1, t, y, NULL, error, largest, NULL, &info), ROT_OK);
         /* Forward it adds 4 * 0.55 J for 1 kg m^2; backward it had been added. */
-        const double now = sqrt(100.0 + way * 2.0 * 4.0 * 0.55);
+        const double now = sqrt(100.0 + direction * 2.0 * 4.0 * 0.55);
         ROT_CHECK(fabs(y[OMEGA] - now) <= fmax(error[OMEGA], 1e-13) && error[OMEGA] < 1e-8);
         const double takes = 0.55 / (0.5 * (10.0 + now));
         const double before = back ? at - 0.55 : at; /* met first, in its own direction */
         const double theta = before + 0.55 + now * (10.0 - before / 10.0 - takes);
-        ROT_CHECK(fabs(y[THETA] - way * theta) <= fmax(error[THETA], 1e-12));
+        ROT_CHECK(fabs(y[THETA] - direction * theta) <= fmax(error[THETA], 1e-12));
 
-        law time = {BY_TIME, way * at / 10.0 - 0.0255, way * at / 10.0 + 0.0255, 3.0, 0.0, 2, 0};
+        law time = {
+            BY_TIME, direction * at / 10.0 - 0.0255, direction * at / 10.0 + 0.0255, 3.0, 0.0, 2,
+            0};
         p = problem(&time, start, 0.005, (rot_method)method);
         ROT_CHECK_EQ_INT(rot_ode_run(&p, 1, t, y, NULL, error, largest, NULL, &info), ROT_OK);
-        ROT_CHECK(fabs(y[OMEGA] - (10.0 + way * 0.153)) <= fmax(error[OMEGA], 1e-13));
+        ROT_CHECK(fabs(y[OMEGA] - (10.0 + direction * 0.153)) <= fmax(error[OMEGA], 1e-13));
 
         /* Not looked at, it is passed over. */
         p = problem(&time, start, 0.0, (rot_method)method);

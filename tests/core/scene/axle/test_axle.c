@@ -9,7 +9,7 @@
 #include "rot_test.h"
 #include "shared_table.h"
 
-enum { MOST_ROWS = 32768, COLUMNS = 7, ROWS_PER_POLL = 8192 };
+enum { MAX_ROWS = 32768, COLUMNS = 7, ROWS_PER_POLL = 8192 };
 
 /* ---- scenes with known answers -------------------------------------------------------------- */
 
@@ -305,18 +305,18 @@ static const struct answers {
 
 static rot_axle_columns split_into_columns(double *values) {
   rot_axle_columns out = {values,
-                          values + MOST_ROWS,
-                          values + 2 * MOST_ROWS,
-                          values + 3 * MOST_ROWS,
-                          values + 4 * MOST_ROWS,
-                          values + 5 * MOST_ROWS,
-                          values + 6 * MOST_ROWS};
+                          values + MAX_ROWS,
+                          values + 2 * MAX_ROWS,
+                          values + 3 * MAX_ROWS,
+                          values + 4 * MAX_ROWS,
+                          values + 5 * MAX_ROWS,
+                          values + 6 * MAX_ROWS};
   return out;
 }
 
 /* Two sets of columns: most tests compare one run with another. */
 static rot_axle_columns columns(int which) {
-  static double values[2][COLUMNS * MOST_ROWS];
+  static double values[2][COLUMNS * MAX_ROWS];
   return split_into_columns(values[which]);
 }
 
@@ -590,16 +590,16 @@ static void check_row_alone_and_among_others(void) {
 
 /* More rows than one chunk holds, on both sides of the start: no row left out, none twice. */
 static void check_many_rows(void) {
-  static double t[MOST_ROWS];
+  static double t[MAX_ROWS];
   const rot_axle_params steady = axle(2.0, 0.0, 0.5, -4.0, constant(6.0));
   rot_axle_columns out = columns(0);
   rot_info info;
   long wrong = 0;
-  for (int i = 0; i < MOST_ROWS; i++) t[i] = (i - 12000) * 0x1p-10;
-  for (int i = 0; i < MOST_ROWS; i++) out.theta_rad[i] = out.omega_rad_per_s[i] = NAN;
-  ROT_CHECK_EQ_INT(rot_axle_linear(&steady, MOST_ROWS, t, &out, NULL, &info), ROT_OK);
-  ROT_CHECK_EQ_INT(info.rows_done, MOST_ROWS);
-  for (int i = 0; i < MOST_ROWS; i++) {
+  for (int i = 0; i < MAX_ROWS; i++) t[i] = (i - 12000) * 0x1p-10;
+  for (int i = 0; i < MAX_ROWS; i++) out.theta_rad[i] = out.omega_rad_per_s[i] = NAN;
+  ROT_CHECK_EQ_INT(rot_axle_linear(&steady, MAX_ROWS, t, &out, NULL, &info), ROT_OK);
+  ROT_CHECK_EQ_INT(info.rows_done, MAX_ROWS);
+  for (int i = 0; i < MAX_ROWS; i++) {
     wrong += !(fabs(out.omega_rad_per_s[i] - (-4.0 + 3.0 * t[i])) <= 1e-13);
     wrong += !(fabs(out.theta_rad[i] - (0.5 - 4.0 * t[i] + 1.5 * t[i] * t[i])) <= 1e-12);
   }
@@ -928,43 +928,43 @@ static rot_status poll(void *ctx, double fraction) {
 
 /* Asked every 8192 rows; at the k-th no, k times 8192 rows are done. */
 static void check_poll(void) {
-  static double t[MOST_ROWS];
+  static double t[MAX_ROWS];
   const rot_axle_params p = axle(2.0, 0.1, 0.0, 5.0, constant(1.0)),
                         free = axle(2.0, 0.0, 0.0, 5.0, constant(0.0));
   rot_axle_columns out = columns(0);
   rot_info info;
-  for (int i = 0; i < MOST_ROWS; i++) t[i] = 1e-3 * i;
+  for (int i = 0; i < MAX_ROWS; i++) t[i] = 1e-3 * i;
   for (int stop_at = 1; stop_at <= 3; stop_at++) {
     poller linear_poller = {0, stop_at, 0.0}, free_poller = {0, stop_at, 0.0};
     rot_hooks hooks = {poll, &linear_poller};
-    ROT_CHECK_EQ_INT(rot_axle_linear(&p, MOST_ROWS, t, &out, &hooks, &info), ROT_EUNWIND);
+    ROT_CHECK_EQ_INT(rot_axle_linear(&p, MAX_ROWS, t, &out, &hooks, &info), ROT_EUNWIND);
     ROT_CHECK_EQ_INT(info.status, ROT_EUNWIND);
     ROT_CHECK_EQ_INT(info.rows_done, stop_at * ROWS_PER_POLL);
     ROT_CHECK_EQ_INT(linear_poller.calls, stop_at);
     ROT_CHECK(info.time_s == t[info.rows_done - 1]);
     hooks.ctx = &free_poller;
-    ROT_CHECK_EQ_INT(rot_axle_free(&free, MOST_ROWS, t, &out, &hooks, &info), ROT_EUNWIND);
+    ROT_CHECK_EQ_INT(rot_axle_free(&free, MAX_ROWS, t, &out, &hooks, &info), ROT_EUNWIND);
     ROT_CHECK_EQ_INT(info.status, ROT_EUNWIND);
     ROT_CHECK_EQ_INT(info.rows_done, stop_at * ROWS_PER_POLL);
     ROT_CHECK_EQ_INT(free_poller.calls, stop_at);
   }
   poller patient = {0, -1, 0.0};
   rot_hooks hooks = {poll, &patient};
-  ROT_CHECK_EQ_INT(rot_axle_linear(&p, MOST_ROWS, t, &out, &hooks, &info), ROT_OK);
-  ROT_CHECK_EQ_INT(patient.calls, MOST_ROWS / ROWS_PER_POLL);
+  ROT_CHECK_EQ_INT(rot_axle_linear(&p, MAX_ROWS, t, &out, &hooks, &info), ROT_OK);
+  ROT_CHECK_EQ_INT(patient.calls, MAX_ROWS / ROWS_PER_POLL);
   ROT_CHECK(patient.last_fraction > 0.99);
 }
 
 /* Stopped on the way back, not one row from the first on is promised. */
 static void check_poll_backward(void) {
-  static double t[MOST_ROWS];
+  static double t[MAX_ROWS];
   const rot_axle_params p = axle(2.0, 0.1, 0.0, 5.0, constant(1.0));
   rot_axle_columns out = columns(0);
   rot_info info;
-  for (int i = 0; i < MOST_ROWS; i++) t[i] = 1e-3 * (i - 20000);
+  for (int i = 0; i < MAX_ROWS; i++) t[i] = 1e-3 * (i - 20000);
   poller stop_back = {0, 2, 0.0};
   rot_hooks hooks = {poll, &stop_back};
-  ROT_CHECK_EQ_INT(rot_axle_linear(&p, MOST_ROWS, t, &out, &hooks, &info), ROT_EUNWIND);
+  ROT_CHECK_EQ_INT(rot_axle_linear(&p, MAX_ROWS, t, &out, &hooks, &info), ROT_EUNWIND);
   ROT_CHECK_EQ_INT(info.rows_done, 0);
   ROT_CHECK_EQ_INT(stop_back.calls, 2);
   ROT_CHECK(info.time_s == t[20000 - 2 * ROWS_PER_POLL]);

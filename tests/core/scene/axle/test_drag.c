@@ -21,10 +21,10 @@ static void expect_events(size_t n, const double time_s[], const rot_event kind[
   }
 }
 
-static rot_axle_scene rubbing(double inertia, double omega0, double coulomb, double most) {
+static rot_axle_scene rubbing(double inertia, double omega0, double coulomb, double max) {
   rot_axle_scene s = plain_scene(inertia, 0.0, omega0, 0.0);
   s.coulomb_n_m = coulomb;
-  s.static_n_m = most;
+  s.static_n_m = max;
   return s;
 }
 
@@ -72,15 +72,15 @@ static void check_at_rest(void) {
 
 /* Equal to the static friction: held. The next double: not. */
 static void check_equality(void) {
-  const double t[] = {1.0, 2.0}, most = 0.3;
-  rot_axle_scene s = rubbing(1.0, 0.0, 0.3, most);
+  const double t[] = {1.0, 2.0}, max = 0.3;
+  rot_axle_scene s = rubbing(1.0, 0.0, 0.3, max);
   for (int sign = -1; sign <= 1; sign += 2) {
-    s.linear.torque.before_n_m = s.linear.torque.after_n_m = sign * most;
+    s.linear.torque.before_n_m = s.linear.torque.after_n_m = sign * max;
     go(&s, 2, t);
     ROT_CHECK(r.omega[1] == 0.0 && r.theta[1] == 0.0 && r.net[1] == 0.0);
-    s.linear.torque.before_n_m = s.linear.torque.after_n_m = sign * nextafter(most, 1.0);
+    s.linear.torque.before_n_m = s.linear.torque.after_n_m = sign * nextafter(max, 1.0);
     go(&s, 2, t);
-    ROT_CHECK_ULP(r.omega[1], sign * 2.0 * (nextafter(most, 1.0) - most), 0);
+    ROT_CHECK_ULP(r.omega[1], sign * 2.0 * (nextafter(max, 1.0) - max), 0);
     ROT_CHECK_EQ_INT(r.events.count, 0);
   }
   /* Sliding to rest against a torque as large as the static friction: it stays. */
@@ -179,7 +179,7 @@ static void check_jump_at_stop(void) {
 /* (J/R^2 + m) v' = 10 - 0.4 v^2 from 0.1 s on: 5 tanh(t - 0.1). The table is good to 1e-5. */
 static void check_modelica(void) {
   const double knots[] = {0.1}, torque[] = {10.0};
-  static double t[MOST_ROWS], theta[MOST_ROWS], omega[MOST_ROWS];
+  static double t[MAX_ROWS], theta[MAX_ROWS], omega[MAX_ROWS];
   rot_axle_scene s = plain_scene(2.0, 0.0, 0.0, 0.0);
   size_t n = 0;
   s.quadratic_n_m_s2 = 0.4;
@@ -196,7 +196,7 @@ static void check_modelica(void) {
   double x[3];
   if (!file) return;
   n = 0;
-  while (shared_row(file, 3, x) && n < MOST_ROWS) {
+  while (shared_row(file, 3, x) && n < MAX_ROWS) {
     t[n] = x[0];
     theta[n] = x[1];
     omega[n] = x[2];

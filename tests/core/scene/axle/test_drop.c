@@ -29,7 +29,7 @@ static void bound(const rot_axle_scene *scene, unsigned effects, const char *mod
 /* `most`: the bound is at most so many times the difference. */
 static void expect_covered(const rot_axle_scene *scene, rot_axle_model exact, unsigned effects,
                            const char *model, const rot_axle_scene *without, size_t n,
-                           const double time_s[], double most) {
+                           const double time_s[], double max) {
   run_model(&full, exact, scene, n, time_s);
   run_model(&reduced, rot_axle_form(model_of(model)), without, n, time_s);
   ROT_CHECK_EQ_INT(full.status, ROT_OK);
@@ -42,8 +42,8 @@ static void expect_covered(const rot_axle_scene *scene, rot_axle_model exact, un
   }
   bound(scene, effects, model, n, time_s, INFINITY);
   ROT_CHECK(!drop.why_not && drop.until_s == time_s[n - 1]);
-  ROT_CHECK(theta <= drop.bound[ROT_THETA] && drop.bound[ROT_THETA] <= most * theta);
-  ROT_CHECK(omega <= drop.bound[ROT_OMEGA] && drop.bound[ROT_OMEGA] <= most * omega);
+  ROT_CHECK(theta <= drop.bound[ROT_THETA] && drop.bound[ROT_THETA] <= max * theta);
+  ROT_CHECK(omega <= drop.bound[ROT_OMEGA] && drop.bound[ROT_OMEGA] <= max * omega);
   /* The relative error refers to a size that the motion reaches. */
   ROT_CHECK(isfinite(drop.error) && drop.error >= 0.9 * omega / size);
   double sum = 0.0;

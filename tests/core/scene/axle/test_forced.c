@@ -444,7 +444,7 @@ static void check_mixed(void) {
       for (int k = 0; k < 2; k++) {
         const double size = at[3 + k];
         ROT_CHECK(off[k] <= bound[k]);
-        /* At most 24 roundings a stretch, and what mixed signs in a polynomial hide from `size`. */
+        /* At most 24 roundings a segment, and what mixed signs in a polynomial hide from `size`. */
         ROT_CHECK(bound[k] <= 40.0 * (double)info.steps * ROT_EPS * size);
         ROT_CHECK(scene.linear.viscous_n_m_s < 0.0 || bound[k] <= 100.0 * ROT_EPS * size);
         ROT_CHECK(off[k] <= 12.0 * ROT_EPS * size);

@@ -118,7 +118,7 @@ static void check_refusals(void) {
   ROT_CHECK_EQ_INT(rows_done(&p, &rise, 1000, t), 1000);
   ROT_CHECK_EQ_INT(rows_done(&p, &rise, 40, t), 40);
   ROT_CHECK_EQ_INT(rows_done(&p, &rise, 2 * ROT_GRID_ROWS + 1, t), 2 * ROT_GRID_ROWS + 1);
-  ROT_CHECK_EQ_INT(rows_done(&p, &rise, ROT_GRID_LEAST - 1, t), 0);
+  ROT_CHECK_EQ_INT(rows_done(&p, &rise, ROT_GRID_MIN - 1, t), 0);
   ROT_CHECK_EQ_INT(rows_done(&p, &turn, 40, t), 0);
   t[300] += 1e-8;
   ROT_CHECK_EQ_INT(rows_done(&p, &rise, 1000, t), 300);
@@ -250,8 +250,8 @@ static void check_bound(void) {
   const rot_axle_params p = {2.0, 0.0, 0.0, 0.0, 3.0, {0, NULL, NULL, 0.0, 0.0, NULL, NULL}};
   even(100, 0.0, 7.0, t);
   ROT_CHECK(rot_axle_linear_fast(&p, 100, t, &out, NULL, &info) == ROT_OK);
-  const double way = 21.0 * ROT_EPS, said = info.measure[ROT_THETA].error;
-  ROT_CHECK(said >= 5.0 * way && said <= 6.5 * way);
+  const double direction = 21.0 * ROT_EPS, said = info.measure[ROT_THETA].error;
+  ROT_CHECK(said >= 5.0 * direction && said <= 6.5 * direction);
 }
 
 int main(void) {

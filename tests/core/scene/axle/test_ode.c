@@ -10,10 +10,10 @@
 
 /* ---- helpers -------------------------------------------------------------------------------- */
 
-enum { MOST_ROWS = 64 };
+enum { MAX_ROWS = 64 };
 
 typedef struct table {
-  double value[7][MOST_ROWS];
+  double value[7][MAX_ROWS];
   rot_axle_columns out;
   rot_axle_ledger ledger;
   rot_info info;
@@ -41,7 +41,7 @@ static rot_events events;
 static rot_method method = ROT_METHOD_NONE;
 
 /* What flowed between the first row and the last, as the closed form gives it. */
-static rot_axle_ledger ledger_of(size_t rows, double flow[ROT_AXLE_FLOWS][MOST_ROWS],
+static rot_axle_ledger ledger_of(size_t rows, double flow[ROT_AXLE_FLOWS][MAX_ROWS],
                                  const double error[]) {
   double sum[ROT_AXLE_FLOWS] = {0.0};
   for (int k = 0; k < ROT_AXLE_FLOWS && rows; k++) sum[k] = flow[k][rows - 1] - flow[k][0];
@@ -64,7 +64,7 @@ static rot_axle_ledger ledger_of(size_t rows, double flow[ROT_AXLE_FLOWS][MOST_R
 
 static void integrate_scene(const rot_axle_scene *scene, double accuracy, size_t n,
                             const double t[], const rot_hooks *hooks) {
-  static double flow[ROT_AXLE_FLOWS][MOST_ROWS];
+  static double flow[ROT_AXLE_FLOWS][MAX_ROWS];
   double error[ROT_AXLE_FLOWS] = {0.0}, *value[ROT_AXLE_FLOWS];
   const rot_axle_flows flows = {value, error};
   for (int k = 0; k < ROT_AXLE_FLOWS; k++) value[k] = flow[k];
@@ -210,18 +210,18 @@ static pendulum hanging(double stiffness) {
 static void check_pendulum_energy(void) {
   pendulum p = hanging(18.0);
   const rot_axle_params scene = axle(2.0, 0.0, 0.0, 2.5, 0.0, law(gravity, &p));
-  double t[MOST_ROWS];
-  for (int i = 0; i < MOST_ROWS; i++) t[i] = 0.37 * i;
-  integrate(&scene, 1e-11, MOST_ROWS, t, NULL);
+  double t[MAX_ROWS];
+  for (int i = 0; i < MAX_ROWS; i++) t[i] = 0.37 * i;
+  integrate(&scene, 1e-11, MAX_ROWS, t, NULL);
   ROT_CHECK_EQ_INT(integrated.status, ROT_OK);
-  for (int i = 0; i < MOST_ROWS; i++) {
+  for (int i = 0; i < MAX_ROWS; i++) {
     const double energy =
         integrated.out.rotational_kinetic_energy_j[i] - 18.0 * cos(integrated.out.theta_rad[i]);
     ROT_CHECK(fabs(energy + 18.0 * cos(2.5)) <= 18.0 * 1e-9);
     ROT_CHECK_ULP(integrated.out.applied_torque_n_m[i], -18.0 * sin(integrated.out.theta_rad[i]),
                   0);
   }
-  const double gained = integrated.out.rotational_kinetic_energy_j[MOST_ROWS - 1] -
+  const double gained = integrated.out.rotational_kinetic_energy_j[MAX_ROWS - 1] -
                         integrated.out.rotational_kinetic_energy_j[0];
   ROT_CHECK(fabs(integrated.ledger.work_j - gained) <= 18.0 * 1e-9);
   ROT_CHECK(integrated.ledger.dissipated_j == 0.0);
@@ -557,7 +557,7 @@ static rot_status cubic_spring(double t, double theta, double omega, double *tor
 /* c/I from 1e6 to 1e12. Settled, c omega = torque to a part of (I/c)^2; against the stiff method at
  * its finest. */
 static void check_stiff(void) {
-  static double fine[MOST_ROWS];
+  static double fine[MAX_ROWS];
   double t[20];
   for (int i = 0; i < 20; i++) t[i] = 0.5 * (i + 1);
   for (double ratio = 1e6; ratio < 2e12; ratio *= 1e2) {

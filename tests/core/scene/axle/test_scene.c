@@ -1,7 +1,7 @@
 /* What acts on an axle at one instant, and the times where it changes abruptly. */
 #include "scene/axle/scene.h"
 
-#include "scene/axle/pace.h"
+#include "scene/axle/time_scales.h"
 #include "ground/real.h"
 #include "rot_test.h"
 
@@ -103,27 +103,28 @@ static void check_plain(void) {
 
 /* How fast a motion goes: rates of what damps add up, over the least inertia; of laws the fastest
  * counts. */
-static void check_pace(void) {
+static void check_time_scales(void) {
   const double sizes[] = {0.0, 5.0};
   const rot_axle_scene damped = {
       .linear = {.inertia_kg_m2 = 2.0}, .viscous_n_m_s = 0.5, .quadratic_n_m_s2 = 0.25};
-  rot_pace pace;
-  rot_axle_pace(&damped, sizes, &pace);
-  ROT_CHECK(pace.fades_s == 2.0 / (0.5 + 2.0 * 0.25 * 5.0) && pace.swing_rad_per_s == 0.0);
+  rot_time_scales time_scales;
+  rot_axle_time_scales(&damped, sizes, &time_scales);
+  ROT_CHECK(time_scales.fades_s == 2.0 / (0.5 + 2.0 * 0.25 * 5.0) &&
+            time_scales.swing_rad_per_s == 0.0);
   const double stiff[] = {18.0, 0.0};
   const rot_term law = {ROT_TERM_SPRING, -INFINITY, INFINITY, 2, stiff};
   rot_axle_scene swings = {.linear = {.inertia_kg_m2 = 2.0}, .n_terms = 1, .terms = &law};
-  rot_axle_pace(&swings, sizes, &pace);
-  ROT_CHECK_REL(pace.fades_s, 1.0 / 3.0, 1e-15);
-  ROT_CHECK_REL(pace.swing_rad_per_s, 3.0, 1e-15);
+  rot_axle_time_scales(&swings, sizes, &time_scales);
+  ROT_CHECK_REL(time_scales.fades_s, 1.0 / 3.0, 1e-15);
+  ROT_CHECK_REL(time_scales.swing_rad_per_s, 3.0, 1e-15);
   const double inertia[] = {2.0, 0.5};
   swings.n_inertia = 2;
   swings.inertia_kg_m2 = inertia;
-  rot_axle_pace(&swings, sizes, &pace);
-  ROT_CHECK_REL(pace.fades_s, 1.0 / 6.0, 1e-15);
+  rot_axle_time_scales(&swings, sizes, &time_scales);
+  ROT_CHECK_REL(time_scales.fades_s, 1.0 / 6.0, 1e-15);
   const rot_axle_scene free = {.linear = {.inertia_kg_m2 = 2.0}};
-  rot_axle_pace(&free, sizes, &pace);
-  ROT_CHECK(isinf(pace.fades_s) && pace.swing_rad_per_s == 0.0);
+  rot_axle_time_scales(&free, sizes, &time_scales);
+  ROT_CHECK(isinf(time_scales.fades_s) && time_scales.swing_rad_per_s == 0.0);
 }
 
 int main(void) {
@@ -131,6 +132,6 @@ int main(void) {
   check_row();
   check_torques();
   check_plain();
-  check_pace();
+  check_time_scales();
   return rot_test_report("axle_scene");
 }

@@ -8,15 +8,15 @@
 #include <stdlib.h>
 
 #include "ground/real.h"
-#include "ground/share.h"
-#include "scene/axle/sweep_pass.h"
+#include "ground/parallel.h"
+#include "scene/axle/sweep_kernel.h"
 #include "rot_test.h"
 
-enum { MOST = 140000 };
+enum { MAX = 140000 };
 
-static double theta[MOST], omega[MOST], omega_max[MOST], max_time[MOST], omega_min[MOST],
-    speed[MOST], error[MOST];
-static int status[MOST];
+static double theta[MAX], omega[MAX], omega_max[MAX], max_time[MAX], omega_min[MAX], speed[MAX],
+    error[MAX];
+static int status[MAX];
 static const rot_axle_sweep_columns out = {theta,     omega, omega_max, max_time,
                                            omega_min, speed, error,     status};
 
@@ -232,30 +232,30 @@ static rot_status count_polls(void *ctx, double fraction) {
 
 /* Many rows: the same whoever computes them, and stopped between chunks. */
 static void check_many(void) {
-  static double x[6][MOST], first[2][MOST];
+  static double x[6][MAX], first[2][MAX];
   double *in[6];
   unsigned long long seed = 9;
   rot_info info;
   polls seen = {0, 2};
   const rot_hooks hooks = {count_polls, &seen};
   for (int j = 0; j < 6; j++) in[j] = x[j];
-  for (size_t i = 0; i < MOST; i++) {
+  for (size_t i = 0; i < MAX; i++) {
     x[0][i] = 0.05 + 0.1 * uniform(&seed);
     x[1][i] = 0.01 + 0.1 * uniform(&seed);
     x[2][i] = 1.0;
     x[5][i] = 8.0 * uniform(&seed);
   }
-  const rot_axle_sweep_rows rows = rows_of(in, MOST, 1, 0.0);
+  const rot_axle_sweep_rows rows = rows_of(in, MAX, 1, 0.0);
   ROT_CHECK(rot_axle_sweep_linear(&torque, &rows, 1, &out, NULL, &info) == ROT_OK);
-  ROT_CHECK_EQ_INT(info.rows_done, MOST);
+  ROT_CHECK_EQ_INT(info.rows_done, MAX);
   memcpy(first[0], omega, sizeof first[0]);
   memcpy(first[1], max_time, sizeof first[1]);
   ROT_CHECK(rot_axle_sweep_linear(&torque, &rows, 0, &out, &hooks, &info) == ROT_EUNWIND);
-  ROT_CHECK(info.rows_done > 0 && info.rows_done < MOST && seen.calls == 2);
+  ROT_CHECK(info.rows_done > 0 && info.rows_done < MAX && seen.calls == 2);
   ROT_CHECK(rot_axle_sweep_linear(&torque, &rows, 3, &out, NULL, &info) == ROT_OK);
   ROT_CHECK(!memcmp(first[0], omega, sizeof first[0]));
   ROT_CHECK(!memcmp(first[1], max_time, sizeof first[1]));
-  ROT_CHECK(rot_share_threads() >= 1);
+  ROT_CHECK(rot_parallel_threads() >= 1);
 }
 
 /* ---- by a model ----------------------------------------------------------------------------- */

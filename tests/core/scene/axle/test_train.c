@@ -7,7 +7,7 @@
 #include "scene/axle/train.h"
 #include "rot_test.h"
 
-enum { MOST = 5 };
+enum { MAX = 5 };
 
 static rot_store store;
 static rot_axle_train train;
@@ -59,7 +59,7 @@ static void check_by_hand(void) {
 static double by_trial(double omega) {
   const size_t n = train.n;
   for (unsigned forward = 0; forward < 1u << (n - 1); forward++) {
-    double gain[MOST] = {1.0}, inertia = 0.0, force = 0.0, taken[MOST], a;
+    double gain[MAX] = {1.0}, inertia = 0.0, force = 0.0, taken[MAX], a;
     for (size_t i = 1; i < n; i++) {
       const int through = (forward >> (i - 1) & 1u) != 0;
       gain[i] = gain[i - 1] * (through ? 1.0 / train.efficiency[i - 1] : train.efficiency[i - 1]);
@@ -102,7 +102,7 @@ static void check_losses(void) {
   int curves = 0, points = 0;
   for (int i = 0; i < rot_test_trials(2000); i++) {
     const size_t n = 2 + (size_t)(4.0 * uniform(0.0, 1.0)); /* 2 to MOST */
-    double ratio[MOST], inertia[MOST], viscous[MOST], torque[MOST], efficiency[MOST];
+    double ratio[MAX], inertia[MAX], viscous[MAX], torque[MAX], efficiency[MAX];
     double sizes = 0.0;
     for (size_t k = 0; k < n; k++) {
       ratio[k] = uniform(0.4, 4.0) * (chance(0.3) ? -1.0 : 1.0);
@@ -148,8 +148,9 @@ static void check_error(void) {
   ROT_CHECK_REL(error[ROT_THETA], 0.3 * 99.0 / 1.5, 1e-14);
   /* Backwards over 4 s: what the resistance makes of it. */
   rot_axle_train_error(&scene, torque, 1.5, -3.0, 1.0, 1.0, error);
-  const double growth = expm1(1.5 * 4.0 / 2.0), theta = 0.3 / 1.5 * (growth * 2.0 / 1.5 - 4.0);
-  ROT_CHECK_REL(error[ROT_OMEGA], 0.3 / 1.5 * growth, 1e-14);
+  const double propagation = expm1(1.5 * 4.0 / 2.0),
+               theta = 0.3 / 1.5 * (propagation * 2.0 / 1.5 - 4.0);
+  ROT_CHECK_REL(error[ROT_OMEGA], 0.3 / 1.5 * propagation, 1e-14);
   ROT_CHECK(error[ROT_THETA] >= theta && error[ROT_THETA] < 4.0 * theta);
   rot_axle_train_error(&scene, torque, 1.5, 1.0, 5.0, 0.0, error);
   ROT_CHECK(error[ROT_THETA] == 0.0 && error[ROT_OMEGA] == 0.0);

@@ -32,7 +32,7 @@ static double omega(const kit *k, const motion *m, size_t i, size_t link) {
 /* Two motions at the same times, within the errors that both report. */
 static void check_same(const kit *k, const motion *a, const motion *b) {
   for (size_t i = 0; i < a->n; i++) {
-    for (size_t l = 0; l < a->copies; l++) {
+    for (size_t l = 0; l < a->rows_per_time; l++) {
       ROT_CHECK(fabs(theta(k, a, i, l) - theta(k, b, i, l)) <=
                 reported(a, ROT_THETA) + reported(b, ROT_THETA));
       ROT_CHECK(fabs(omega(k, a, i, l) - omega(k, b, i, l)) <=
@@ -54,10 +54,10 @@ static double uniform(double low, double high) {
 
 /* The accelerations fulfil the equations as links.h has them. */
 static void equations(void) {
-  static const double none[ROT_LINKS_MOST] = {0.0};
+  static const double none[ROT_LINKS_MAX] = {0.0};
   for (int trial = 0; trial < rot_test_trials(1600); trial++) {
-    rot_links c = {.n = 1 + (size_t)trial % ROT_LINKS_MOST, .rods = trial / 16 % 2};
-    double mass[ROT_LINKS_MOST], q[ROT_LINKS_MOST], v[ROT_LINKS_MOST], a[ROT_LINKS_MOST];
+    rot_links c = {.n = 1 + (size_t)trial % ROT_LINKS_MAX, .rods = trial / 16 % 2};
+    double mass[ROT_LINKS_MAX], q[ROT_LINKS_MAX], v[ROT_LINKS_MAX], a[ROT_LINKS_MAX];
     c.gravity_m_per_s2 = trial % 5 ? uniform(0.5, 20.0) : 0.0;
     for (size_t i = 0; i < c.n; i++) {
       mass[i] = uniform(0.2, 3.0);
@@ -100,8 +100,8 @@ static void heavy_end(void) {
   rot_links_accelerations(&c, q, none, v, a);
   /* By Cramer's rule with x = sin^2(delta) and the masses 1e-12, 1:
    * a_1 = -g ((1e-12 + 1) sin q_1 - sin q_2 cos(delta))/(1e-12 + x). */
-  const double apart = q[1] - q[0];
-  const double top = 1e-12 * sin(0.3) - cos(0.3) * apart * (1.0 - 0.0); /* to 1e-13 */
+  const double difference = q[1] - q[0];
+  const double top = 1e-12 * sin(0.3) - cos(0.3) * difference * (1.0 - 0.0); /* to 1e-13 */
   ROT_CHECK_REL(a[0], -10.0 * top / 1e-12, 1e-9);
 }
 
@@ -281,8 +281,8 @@ static void balances(void) {
     ROT_CHECK(ran(&m) && m.out.error < 1e-8);
     check_audits(k, &m);
     const char *why = NULL;
-    ROT_CHECK(!k->c->keeps(k->scene, 0, &why) == !damped && why);
-    ROT_CHECK(!k->c->keeps(k->scene, 1, &why) == (!damped && !heavy) && why);
+    ROT_CHECK(!k->c->conserved(k->scene, 0, &why) == !damped && why);
+    ROT_CHECK(!k->c->conserved(k->scene, 1, &why) == (!damped && !heavy) && why);
     /* The columns of energy, and its start from the formula. */
     double energy[4] = {0.0};
     for (size_t i = 0; i < 4; i++) {
@@ -442,7 +442,7 @@ static void many_links(void) {
   for (int i = 0; i < 16; i++) length[i] = 0.1, start[i] = 1.2;
   kit *k = chain(16, length, 1, &mass, 0, 16, start, NULL);
   motion m = kit_run(k, NULL, 1e-8, 2, t), finer = kit_run(k, NULL, 1e-11, 2, t);
-  ROT_CHECK(ran(&m) && m.out.error < 1e-7 && m.copies == 16);
+  ROT_CHECK(ran(&m) && m.out.error < 1e-7 && m.rows_per_time == 16);
   check_same(k, &m, &finer);
   check_audits(k, &m);
   motion_free(&m);
@@ -452,26 +452,27 @@ static void many_links(void) {
 
 /* Time scales: of one point c/(m l^2) and sqrt(g/l); of two rods free of gravity that one joint
  * joins, the trace of M^-1 C. */
-static void time_scales(void) {
+static void test_time_scales(void) {
   const double length[2] = {0.5, 0.5}, mass = 2.0, start = 0.3, sizes[2] = {1.0, 3.0};
   const double joint[2] = {0.0, 0.1};
-  rot_pace pace;
+  rot_time_scales test_time_scales;
   kit *k = chain(1, length, 1, &mass, 1, 1, &start, NULL);
   ROT_CHECK(kit_build(k) == ROT_OK);
-  k->c->pace(k->scene, sizes, &pace);
-  ROT_CHECK(isinf(pace.fades_s));
-  ROT_CHECK_REL(pace.swing_rad_per_s, 6.0 + sqrt(GRAVITY / 0.5), 1e-14);
+  k->c->test_time_scales(k->scene, sizes, &test_time_scales);
+  ROT_CHECK(isinf(test_time_scales.fades_s));
+  ROT_CHECK_REL(test_time_scales.swing_rad_per_s, 6.0 + sqrt(GRAVITY / 0.5), 1e-14);
   kit_number(k, "resistance", 0.1);
   ROT_CHECK(kit_build(k) == ROT_OK);
-  k->c->pace(k->scene, sizes, &pace);
-  ROT_CHECK_REL(pace.fades_s, 2.0 * 0.25 / 0.1, 1e-14);
+  k->c->test_time_scales(k->scene, sizes, &test_time_scales);
+  ROT_CHECK_REL(test_time_scales.fades_s, 2.0 * 0.25 / 0.1, 1e-14);
   /* m l^2 (4/3 1/2; 1/2 1/3) has the inverse (1/3 -1/2; -1/2 4/3) 36/7 over m l^2. */
   kit_numbers(k, "length_m", 2, length);
   kit_option(k, "links", 0);
   kit_numbers(k, "resistance", 2, joint);
   ROT_CHECK(kit_build(k) == ROT_OK);
-  k->c->pace(k->scene, sizes, &pace);
-  ROT_CHECK_REL(1.0 / pace.fades_s, 0.1 / (2.0 * 0.25) * (8.0 / 3.0) * (36.0 / 7.0), 1e-13);
+  k->c->test_time_scales(k->scene, sizes, &test_time_scales);
+  ROT_CHECK_REL(1.0 / test_time_scales.fades_s, 0.1 / (2.0 * 0.25) * (8.0 / 3.0) * (36.0 / 7.0),
+                1e-13);
   kit_free(k);
 }
 
@@ -577,7 +578,7 @@ int main(void) {
   chaos();
   extremes();
   many_links();
-  time_scales();
+  test_time_scales();
   refused_inputs();
   refused_modes();
   return rot_test_report("chain");

@@ -8,11 +8,11 @@
 
 #define NEAR(got, want, by) ROT_CHECK(fabs((got) - (want)) <= (by))
 
-enum { MOST = 4, ROWS = 8 };
+enum { MAX = 4, ROWS = 8 };
 
-static rot_axle_scene rotor[MOST];
-static rot_drive_grip grip[MOST];
-static rot_drive_coupling coupling[MOST];
+static rot_axle_scene rotor[MAX];
+static rot_drive_friction friction[MAX];
+static rot_drive_coupling coupling[MAX];
 
 static rot_axle_scene body(double inertia, double torque, double omega) {
   rot_axle_scene b;
@@ -23,8 +23,8 @@ static rot_axle_scene body(double inertia, double torque, double omega) {
   return b;
 }
 
-static rot_drive_grip hold(double capacity, double static_ratio) {
-  rot_drive_grip g;
+static rot_drive_friction hold(double capacity, double static_ratio) {
+  rot_drive_friction g;
   memset(&g, 0, sizeof g);
   g.acts = 1;
   g.law = body(1.0, capacity, 0.0);
@@ -35,13 +35,13 @@ static rot_drive_grip hold(double capacity, double static_ratio) {
 }
 
 static rot_drive_scene scene_of(size_t n) {
-  return (rot_drive_scene){.n = n, .rotor = rotor, .brake = grip, .coupling = coupling};
+  return (rot_drive_scene){.n = n, .rotor = rotor, .brake = friction, .coupling = coupling};
 }
 
 static void clear(void) {
-  memset(grip, 0, sizeof grip);
+  memset(friction, 0, sizeof friction);
   memset(coupling, 0, sizeof coupling);
-  for (int i = 0; i < MOST; i++) coupling[i].ratio = 1.0;
+  for (int i = 0; i < MAX; i++) coupling[i].ratio = 1.0;
 }
 
 /* ---- torques --------------------------------------------------------------------------------- */
@@ -73,9 +73,9 @@ static double held_margin(double clutch, double load, signed char after[]) {
   clear();
   for (int i = 0; i < 3; i++) {
     rotor[i] = body(1.0, i ? 0.0 : load, 0.0);
-    grip[i] = hold(4.0 - i, 1.0);
+    friction[i] = hold(4.0 - i, 1.0);
     coupling[i].kind = ROT_DRIVE_CLUTCH;
-    coupling[i].grip = hold(i ? 100.0 : clutch, 1.0);
+    coupling[i].friction = hold(i ? 100.0 : clutch, 1.0);
   }
   const rot_drive_scene scene = scene_of(3);
   ROT_CHECK(rot_drive_system_new(&s, &scene) == ROT_OK);
@@ -97,7 +97,7 @@ static double held_margin(double clutch, double load, signed char after[]) {
   return margin;
 }
 
-static void contacts_share_a_load(void) {
+static void contacts_fraction_a_load(void) {
   signed char mode[5];
   NEAR(held_margin(100.0, 8.0, mode), 1.0 / 17.0, 1e-15);
   for (int k = 0; k < 5; k++) ROT_CHECK_EQ_INT(mode[k], 0);
@@ -121,8 +121,8 @@ static void one_slip_makes_another(void) {
     rotor[i] = body(1.0, i ? 0.0 : 12.0, 0.0);
     coupling[i].kind = ROT_DRIVE_CLUTCH;
   }
-  coupling[0].grip = hold(7.0, 1.0);
-  coupling[1].grip = hold(3.0, 1.1);
+  coupling[0].friction = hold(7.0, 1.0);
+  coupling[1].friction = hold(3.0, 1.1);
   const rot_drive_scene scene = scene_of(3);
   ROT_CHECK(rot_drive_system_new(&s, &scene) == ROT_OK);
   ROT_CHECK(rot_drive_settle(&s, 0.0, y, mode, 0, 1e-9) == ROT_OK);
@@ -143,7 +143,7 @@ static void nothing_acts_nothing_moves(void) {
   rotor[0] = body(1.0, 0.0, 0.0);
   rotor[1] = body(1.0, 0.0, 0.0);
   coupling[0].kind = ROT_DRIVE_CLUTCH;
-  coupling[0].grip = hold(0.0, 1.0);
+  coupling[0].friction = hold(0.0, 1.0);
   const rot_drive_scene scene = scene_of(2);
   ROT_CHECK(rot_drive_system_new(&s, &scene) == ROT_OK);
   ROT_CHECK(rot_drive_settle(&s, 0.0, y, mode, 0, 1e-9) == ROT_OK);
@@ -161,7 +161,7 @@ static void what_slips_has_let_go(void) {
   rotor[0] = body(1.0, 0.0, 3.0);
   rotor[1] = body(1.0, 0.0, 1.0);
   coupling[0].kind = ROT_DRIVE_CLUTCH;
-  coupling[0].grip = hold(4.0, 1.0);
+  coupling[0].friction = hold(4.0, 1.0);
   const rot_drive_scene scene = scene_of(2);
   ROT_CHECK(rot_drive_system_new(&s, &scene) == ROT_OK);
   y[s.contact[0].state] = 2.0;
@@ -176,8 +176,8 @@ static void what_slips_has_let_go(void) {
 /* ---- motions --------------------------------------------------------------------------------- */
 
 static struct {
-  double value[9][ROWS * MOST], sum[10][ROWS];
-  int locked[ROWS * MOST];
+  double value[9][ROWS * MAX], sum[10][ROWS];
+  int locked[ROWS * MAX];
   rot_drive_columns out;
   rot_drive_ledger ledger;
   rot_events events;
@@ -210,7 +210,7 @@ static void a_clutch_locks(void) {
     rotor[0] = body(2.0, 0.0, 10.0);
     rotor[1] = body(3.0, 0.0, 0.0);
     coupling[0].kind = ROT_DRIVE_CLUTCH;
-    coupling[0].grip = hold(12.0, 1.0);
+    coupling[0].friction = hold(12.0, 1.0);
     integrate(2, 4, t, (rot_method)method);
     ROT_CHECK(run.status == ROT_OK);
     for (int i = 0; i < 8; i++) NEAR(run.out.omega_rad_per_s[i], omega[i], 1e-13);
@@ -231,8 +231,8 @@ static void a_brake_stops_a_geared_load(void) {
   rotor[1] = body(4.0, 0.0, 4.0);
   coupling[0].kind = ROT_DRIVE_GEAR;
   coupling[0].ratio = 2.0;
-  grip[1] = hold(16.0, 1.0); /* 8 N m on 2 kg m^2 at the first shaft: it stops at 2 + 0.5 s */
-  grip[1].from_s = 0.5;
+  friction[1] = hold(16.0, 1.0); /* 8 N m on 2 kg m^2 at the first shaft: it stops at 2 + 0.5 s */
+  friction[1].from_s = 0.5;
   integrate(2, 4, t, ROT_METHOD_NONE);
   ROT_CHECK(run.status == ROT_OK);
   NEAR(run.out.omega_rad_per_s[2], 6.0, 1e-13);
@@ -288,7 +288,7 @@ static void effects_are_seen(void) {
 
 int main(void) {
   gears_reflect();
-  contacts_share_a_load();
+  contacts_fraction_a_load();
   one_slip_makes_another();
   nothing_acts_nothing_moves();
   what_slips_has_let_go();

@@ -9,11 +9,11 @@
 
 #include "rot_test.h"
 
-enum { MOST = 4, ROWS = 9 };
+enum { MAX = 4, ROWS = 9 };
 
-static rot_axle_scene rotor[MOST];
-static rot_drive_grip brake[MOST];
-static rot_drive_coupling coupling[MOST];
+static rot_axle_scene rotor[MAX];
+static rot_drive_friction brake[MAX];
+static rot_drive_coupling coupling[MAX];
 
 static void clear(size_t n) {
   memset(brake, 0, sizeof brake);
@@ -39,8 +39,8 @@ static void turn(size_t n, double omega) {
 }
 
 typedef struct rows {
-  double column[9][ROWS * MOST], sum[10][ROWS];
-  int locked[ROWS * MOST];
+  double column[9][ROWS * MAX], sum[10][ROWS];
+  int locked[ROWS * MAX];
   rot_drive_columns out;
   rot_drive_ledger ledger;
   rot_events events;
@@ -162,13 +162,13 @@ static void check_clutch(void) {
   coupling[1].ratio = 1.5;
   coupling[2].ratio = -0.5;
   coupling[1].kind = ROT_DRIVE_CLUTCH;
-  coupling[1].grip.acts = 1;
-  coupling[1].grip.law.linear.inertia_kg_m2 = 1.0;
-  coupling[1].grip.law.linear.torque.before_n_m = 6.0;
-  coupling[1].grip.law.linear.torque.after_n_m = 6.0;
-  coupling[1].grip.static_ratio = 1.2;
-  coupling[1].grip.from_s = 0.3;
-  coupling[1].grip.to_s = INFINITY;
+  coupling[1].friction.acts = 1;
+  coupling[1].friction.law.linear.inertia_kg_m2 = 1.0;
+  coupling[1].friction.law.linear.torque.before_n_m = 6.0;
+  coupling[1].friction.law.linear.torque.after_n_m = 6.0;
+  coupling[1].friction.static_ratio = 1.2;
+  coupling[1].friction.from_s = 0.3;
+  coupling[1].friction.to_s = INFINITY;
   rotor[0].linear.torque = (rot_torque){
       .n = 2, .time_s = jump_s, .torque_n_m = jump, .before_n_m = 4.0, .after_n_m = -3.0};
   rotor[0].n_breaks = 1;
@@ -203,9 +203,9 @@ static void check_shafts(void) {
 }
 
 /* Energy and momentum stay unless something acts: each cause alone is told. */
-static void check_keeps(void) {
+static void check_conserved(void) {
   enum { ENERGY = 0, MOMENTUM = 1 };
-  const char *why[ROT_MOST_CAUSES];
+  const char *why[ROT_MAX_CAUSES];
   for (int cause = -1; cause < 8; cause++) {
     clear(2);
     coupling[0] = (rot_drive_coupling){
@@ -220,9 +220,9 @@ static void check_keeps(void) {
     const rot_drive_scene scene = {.n = 2, .rotor = rotor, .brake = brake, .coupling = coupling};
     const size_t energy = cause >= 0 && cause < 7,
                  momentum = cause >= 0 && (cause < 5 || cause == 7);
-    ROT_CHECK_EQ_INT(rot_drive_keeps(&scene, ENERGY, why), energy);
+    ROT_CHECK_EQ_INT(rot_drive_conserved(&scene, ENERGY, why), energy);
     if (cause >= 0 && cause < 4) ROT_CHECK(strstr(why[0], "resistance") != NULL);
-    ROT_CHECK_EQ_INT(rot_drive_keeps(&scene, MOMENTUM, why), momentum);
+    ROT_CHECK_EQ_INT(rot_drive_conserved(&scene, MOMENTUM, why), momentum);
   }
 }
 
@@ -230,6 +230,6 @@ int main(void) {
   check_gears();
   check_clutch();
   check_shafts();
-  check_keeps();
+  check_conserved();
   return rot_test_report("drive exact");
 }

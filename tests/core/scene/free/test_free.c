@@ -195,7 +195,7 @@ static void check_flips(void) {
 static void check_choice(void) {
   const double t[2] = {0.0, 10.0};
   const rot_query query = {2, t, 1e-9, 0.0};
-  rot_candidate all[ROT_MOST_MODELS];
+  rot_candidate all[ROT_MAX_MODELS];
   rot_free_params p = scene(1.0, 2.0, 2.7, 0.4, 1.1, -0.6);
   p.damping_per_s = 0.1;
   ROT_CHECK(rot_choice_constraint("free") == &rot_free_constraint);

@@ -153,7 +153,7 @@ static void check_refusals(void) {
   const double rod[] = {1.0, 1.0, 0.0};
   rotdyn_object *scene = body(), *list = rotdyn_object_new("list");
   rotdyn_report report = ROTDYN_INIT(rotdyn_report);
-  for (int k = 0; k < ROT_FREE_MOST_ROTORS; k++) give(list, NULL, wheel(DRIVEN, 1.0, NULL), 0);
+  for (int k = 0; k < ROT_FREE_MAX_ROTORS; k++) give(list, NULL, wheel(DRIVEN, 1.0, NULL), 0);
   ROT_CHECK(rotdyn_set_object(scene, "rotors", list) == ROTDYN_OK);
   ROT_CHECK_EQ_INT(rotdyn_object_check(scene, &report), ROTDYN_OK);
   give(list, NULL, wheel(DRIVEN, 1.0, NULL), 0);

@@ -15,9 +15,9 @@ static void vector(kit *k, const char *name, double x, double y, double z) {
 }
 
 static double largest(const motion *m, int flow) {
-  double most = 0.0;
-  for (size_t i = 0; i < m->n; i++) most = fmax(most, fabs(m->flow[flow][i]));
-  return most;
+  double max = 0.0;
+  for (size_t i = 0; i < m->n; i++) max = fmax(max, fabs(m->flow[flow][i]));
+  return max;
 }
 
 static void within(const motion *m, int flow, double roundings) {
@@ -59,8 +59,8 @@ static void check_weight(void) {
   k->given[kit_input(k, "attitude0")].is = ROT_INPUT_ATTITUDE;
   motion m = kit_run(k, "pivot_top", 1e-9, 3, t);
   ROT_CHECK(ran(&m));
-  const double off = reported(&m, 0), most = lever * (2.0 * off + 32.0 * DBL_EPSILON);
-  ROT_CHECK(m.flow_error[WORK] >= lever * off && m.flow_error[WORK] <= most);
+  const double off = reported(&m, 0), max = lever * (2.0 * off + 32.0 * DBL_EPSILON);
+  ROT_CHECK(m.flow_error[WORK] >= lever * off && m.flow_error[WORK] <= max);
   ROT_CHECK(m.flow_error[TORQUE_X] >= 1.5 * lever * off);
   ROT_CHECK(m.flow_error[TORQUE_X] <= 1.5 * lever * (4.0 * off + 1e4 * DBL_EPSILON));
   for (size_t b = 0; b < k->c->n_balances; b++) ROT_CHECK(audit(k, &m, b, 0, 2, -1, NULL) <= 1.0);
@@ -76,8 +76,8 @@ static void check_explained(void) {
   vector(k, "omega0_rad_per_s", 0.5, 1.5, -1.0);
   motion m = kit_run(k, "free_rk8pd", 1e-6, 2, t);
   ROT_CHECK(ran(&m));
-  double first[ROT_MOST_COLUMNS], last[ROT_MOST_COLUMNS], flow[ROT_MOST_FLOWS];
-  double error[ROT_MOST_MEASURES], terms[ROT_MOST_TERMS], explained[ROT_MOST_BALANCES];
+  double first[ROT_MAX_COLUMNS], last[ROT_MAX_COLUMNS], flow[ROT_MAX_FLOWS];
+  double error[ROT_MAX_MEASURES], terms[ROT_MAX_TERMS], explained[ROT_MAX_BALANCES];
   for (size_t c = 0; c < k->c->n_columns; c++) first[c] = m.column[c][0], last[c] = m.column[c][1];
   for (size_t f = 0; f < k->c->n_flows; f++) flow[f] = m.flow[f][1] - m.flow[f][0];
   for (size_t e = 0; e < m.out.info.n_measures; e++) error[e] = reported(&m, e);

@@ -17,7 +17,7 @@ static rot_free_state at(const double moment[3], const double omega[3], double t
   return out;
 }
 
-static double apart(const double x[3], const double y[3]) {
+static double difference(const double x[3], const double y[3]) {
   return sqrt((x[0] - y[0]) * (x[0] - y[0]) + (x[1] - y[1]) * (x[1] - y[1]) +
               (x[2] - y[2]) * (x[2] - y[2]));
 }
@@ -32,7 +32,7 @@ static void check_table(void) {
   if (!table) return;
   while (shared_row(table, 14, x)) {
     const rot_free_state s = at(x, x + 3, x[6]);
-    const double off = rot_attitude_angle(s.q, x + 10), off_omega = apart(s.omega, x + 7);
+    const double off = rot_attitude_angle(s.q, x + 10), off_omega = difference(s.omega, x + 7);
     rows++;
     worst = fmax(worst, off);
     worst_omega = fmax(worst_omega, off_omega / length(x + 7));
@@ -126,7 +126,7 @@ static void check_against_integration(void) {
       worst = fmax(worst, off);
       ROT_CHECK(off <= s.q_error && off <= 1e-14);
       ROT_CHECK(s.q[0] * q[0] + s.q[1] * q[1] + s.q[2] * q[2] + s.q[3] * q[3] > 0.99);
-      ROT_CHECK(apart(s.omega, w) <= s.omega_error + 1e-18);
+      ROT_CHECK(difference(s.omega, w) <= s.omega_error + 1e-18);
     }
   }
   printf("against integration: %.2e rad\n", worst);
@@ -333,8 +333,8 @@ static void check_invariants(void) {
       before += moment[k] * omega[k] * omega[k];
     }
     rot_attitude_to_space(s.q, l, space);
-    worst = fmax(worst, apart(space, l0) / length(l0));
-    ROT_CHECK(apart(space, l0) <= 4e-15 * length(l0));
+    worst = fmax(worst, difference(space, l0) / length(l0));
+    ROT_CHECK(difference(space, l0) <= 4e-15 * length(l0));
     ROT_CHECK(fabs(energy - before) <= 8e-15 * before);
     rot_free_motion motion;
     ROT_CHECK_EQ_INT(rot_free_begin(moment, omega, 0.0, &motion), ROT_OK);

@@ -23,7 +23,7 @@ static rot_status steps(const rot_free_params *p, rot_method method, double step
 }
 
 /* The largest errors of the attitude, omega and L in space. */
-static void apart(const rows *x, const rows *y, size_t n, double off[3]) {
+static void difference(const rows *x, const rows *y, size_t n, double off[3]) {
   off[0] = off[1] = off[2] = 0.0;
   for (size_t i = 0; i < n; i++) {
     const double p[4] = {x->qw[i], x->qx[i], x->qy[i], x->qz[i]};
@@ -48,7 +48,7 @@ static void check_order(const char *name, const rot_free_params *p, rot_method m
   rot_info info;
   for (int k = 0; k < 2; k++) {
     ROT_CHECK_EQ_INT(steps(p, method, k ? coarse / ratio : coarse, ROWS, t, &r, &info), ROT_OK);
-    apart(&r, truth, ROWS, off[k]);
+    difference(&r, truth, ROWS, off[k]);
     ROT_CHECK_EQ_INT(info.method, method);
     for (int i = 0; i < 3; i++) {
       ROT_CHECK(off[k][i] <= 1.1 * info.measure[i].error + 1e-14);
@@ -172,7 +172,7 @@ static void check_limits(void) {
     double off[3];
     ROT_CHECK_EQ_INT(rot_free_exact(&p, 3, t, &out, NULL, NULL, &info), ROT_OK);
     ROT_CHECK_EQ_INT(steps(&p, ROT_METHOD_SPLIT, 5.0, 3, t, &r, &info), ROT_OK);
-    apart(&r, &truth, 3, off);
+    difference(&r, &truth, 3, off);
     ROT_CHECK(off[0] <= 2e-13 && off[1] <= 2e-13 && info.steps == 10);
   }
   rot_free_params p = scene(1.0, 2.0, 3.0, 0.0, 2.0, 0.0);

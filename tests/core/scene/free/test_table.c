@@ -10,9 +10,9 @@
 
 #include "maths/attitude.h"
 #include "scene/free/motion.h"
-#include "scene/free/pass.h"
+#include "scene/free/kernel.h"
 #include "rot_test.h"
-#include "ground/wide.h"
+#include "ground/simd.h"
 #include "shared_table.h"
 
 enum { N = 3000, IN = 11, OUT = 8 };
@@ -155,14 +155,14 @@ static void check_motion(table *x) {
 
 static void check_bits(table *x, table *y) {
   for (int k = 0; k < 2; k++) {
-    rot_wide_allow(k);
+    rot_simd_allow(k);
     *y = *x;
     run(y, 1);
     ROT_CHECK(memcmp(x->out, y->out, sizeof x->out) == 0);
     run(y, 7);
     ROT_CHECK(memcmp(x->out, y->out, sizeof x->out) == 0);
   }
-  if (!rot_wide_fma_ok()) printf("skip - no registers of four here\n");
+  if (!rot_simd_fma_ok()) printf("skip - no registers of four here\n");
   /* a row alone, and among others */
   for (size_t i = 0; i < x->n; i += 61) {
     y->n = 1;

@@ -234,7 +234,7 @@ static void random_hoops(void) {
     const char *why = NULL;
     for (size_t b = 0; b < 3; b++) {
       const int rubs = trial % 3 || trial % 2;
-      ROT_CHECK(!k->c->keeps(k->scene, b, &why) == (b == 1 && !rubs) && why);
+      ROT_CHECK(!k->c->conserved(k->scene, b, &why) == (b == 1 && !rubs) && why);
     }
     motion_free(&m);
     motion_free(&fine);
@@ -294,8 +294,8 @@ static void extremes(void) {
   kit_number(k, "theta0_rad", remainder(1e6, 2.0 * pi));
   motion near = kit_run(k, NULL, 1e-9, 3, t);
   for (size_t i = 0; i < 3; i++) {
-    const double apart = theta(k, &m, i) - 1e6 - theta(k, &near, i) + remainder(1e6, 2.0 * pi);
-    ROT_CHECK(fabs(apart) < 1e-8);
+    const double difference = theta(k, &m, i) - 1e6 - theta(k, &near, i) + remainder(1e6, 2.0 * pi);
+    ROT_CHECK(fabs(difference) < 1e-8);
   }
   motion_free(&m);
   motion_free(&near);

@@ -7,11 +7,11 @@
 #include "ground/real.h"
 #include "rot_test.h"
 
-enum { MOST = 64 };
+enum { MAX = 64 };
 
 typedef struct race {
-  double in[8][MOST], c[4][MOST], f[5][4 * MOST];
-  int slips[MOST], rests[MOST], finished[4 * MOST];
+  double in[8][MAX], c[4][MAX], f[5][4 * MAX];
+  int slips[MAX], rests[MAX], finished[4 * MAX];
 } race;
 
 static rot_column whole(const double *x) {
@@ -88,31 +88,31 @@ static void as_scenes(void) {
   race r;
   rot_info info;
   const double time_s[] = {0.0, 0.4, 1.1, 3.0};
-  for (size_t i = 0; i < MOST; i++) {
+  for (size_t i = 0; i < MAX; i++) {
     const double mu = uniform(0.0, 0.9);
     set(&r, i,
         (double[]){uniform(0.1, 1.5), uniform(0.05, 0.5), uniform(1.0, 80.0), 9.8, mu,
                    mu * uniform(0.5, 1.0), i % 3 ? 0.0 : uniform(0.0, 0.1), 6.0});
   }
-  ROT_CHECK(starts(&r, MOST) == ROT_OK);
+  ROT_CHECK(starts(&r, MAX) == ROT_OK);
   const rot_race_frames out = {r.f[0], r.f[1], r.f[2], r.f[3], r.f[4], r.finished};
-  ROT_CHECK(rot_race_run(MOST, r.c[0], r.c[1], r.c[3], 4, time_s, &out, NULL, &info) == ROT_OK);
-  ROT_CHECK(info.rows_done == 4 * MOST);
-  for (size_t row = 0; row < 4 * MOST; row++) {
-    const size_t i = row % MOST;
+  ROT_CHECK(rot_race_run(MAX, r.c[0], r.c[1], r.c[3], 4, time_s, &out, NULL, &info) == ROT_OK);
+  ROT_CHECK(info.rows_done == 4 * MAX);
+  for (size_t row = 0; row < 4 * MAX; row++) {
+    const size_t i = row % MAX;
     double x[8];
     for (int k = 0; k < 8; k++) x[k] = r.in[k][i];
     const rot_incline_params p = {
         1.0, x[1], x[0] * x[1] * x[1], x[2], x[3], x[5], x[4], x[6], 0.0, 0.0, 0.0, 0.0, 0.0};
-    const double t = fmin(time_s[row / MOST], r.c[3][i]);
+    const double t = fmin(time_s[row / MAX], r.c[3][i]);
     rot_incline_end end;
     ROT_CHECK(rot_incline_to(&p, t, &end) == ROT_OK);
-    ROT_CHECK(r.f[0][row] == time_s[row / MOST]);
+    ROT_CHECK(r.f[0][row] == time_s[row / MAX]);
     ROT_CHECK_REL(r.f[1][row], end.x_m, 4e-15);
     ROT_CHECK_REL(r.f[2][row], end.v_m_per_s, 4e-15);
     ROT_CHECK_REL(r.f[3][row], end.theta_rad, 4e-15);
     ROT_CHECK_REL(r.f[4][row], end.omega_rad_per_s, 4e-15);
-    ROT_CHECK(r.finished[row] == (time_s[row / MOST] >= r.c[3][i]));
+    ROT_CHECK(r.finished[row] == (time_s[row / MAX] >= r.c[3][i]));
     if (r.finished[row]) ROT_CHECK_REL(r.f[1][row], 6.0, 1e-15);
     ROT_CHECK(t == 0.0 || end.rolling == !r.slips[i]);
   }

@@ -8,7 +8,7 @@
 
 #include "scene/incline/incline.h"
 #include "ground/real.h"
-#include "ground/share.h"
+#include "ground/parallel.h"
 #include "rot_test.h"
 #include "shared_table.h"
 
@@ -182,12 +182,12 @@ static void threads(void) {
     for (int k = 0; k < INPUTS; k++) b.in[k][i] = a.in[k][i];
   }
   ROT_CHECK(rot_incline_table(&a.rows, 1, &a.out, NULL, &info) == ROT_OK);
-  for (int most = 0; most <= 3; most++) {
-    ROT_CHECK(rot_incline_table(&b.rows, most, &b.out, NULL, &info) == ROT_OK);
+  for (int max = 0; max <= 3; max++) {
+    ROT_CHECK(rot_incline_table(&b.rows, max, &b.out, NULL, &info) == ROT_OK);
     for (int k = 0; k < COLUMNS; k++) ROT_CHECK(!memcmp(a.c[k], b.c[k], N * sizeof(double)));
     ROT_CHECK(!memcmp(a.rolling, b.rolling, N * sizeof(int)));
   }
-  ROT_CHECK(rot_share_threads() >= 1);
+  ROT_CHECK(rot_parallel_threads() >= 1);
   table_free(&a);
   table_free(&b);
 }

@@ -153,7 +153,7 @@ static void check_choice(void) {
   for (int i = 0; i < 100; i++) t[i] = 0.02 * i;
   for (int k = 2; k < 12; k++) {
     const rot_query query = {100, t, pow(10.0, -k), 0.0};
-    rot_candidate all[ROT_MOST_MODELS];
+    rot_candidate all[ROT_MAX_MODELS];
     const size_t n = rot_choice_candidates(pivot, &p, &query, all);
     for (size_t i = 0; i < n; i++) {
       const int precession = !strcmp(all[i].model->id, "pivot_precession");

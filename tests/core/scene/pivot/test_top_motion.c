@@ -21,7 +21,7 @@ static rot_top_state at(const top *x, double t) {
   return out;
 }
 
-static double apart(const double x[3], const double y[3]) {
+static double gap(const double x[3], const double y[3]) {
   double sum = 0.0;
   for (int i = 0; i < 3; i++) sum += (x[i] - y[i]) * (x[i] - y[i]);
   return sqrt(sum);
@@ -42,9 +42,9 @@ static void check_table(void) {
     const double off = rot_attitude_angle(s.q, x + 10);
     rows++;
     worst = fmax(worst, off);
-    worst_omega = fmax(worst_omega, apart(s.omega, x + 14) / length(x + 14));
+    worst_omega = fmax(worst_omega, gap(s.omega, x + 14) / length(x + 14));
     ROT_CHECK(off <= 2e-15 && off <= s.q_error && s.q_error <= 2e-14);
-    ROT_CHECK(apart(s.omega, x + 14) <= s.omega_error);
+    ROT_CHECK(gap(s.omega, x + 14) <= s.omega_error);
   }
   printf("table: %d rows, attitude %.2e rad, omega %.2e\n", rows, worst, worst_omega);
   ROT_CHECK(rows == 14 && worst_omega <= 1e-15);
@@ -157,7 +157,7 @@ static void check_restart(void) {
     for (int i = 0; i < 3; i++) x.start.omega[i] = (rot_dd){half.omega[i], 0.0};
     const rot_top_state on = at(&x, more);
     ROT_CHECK(rot_attitude_angle(on.q, whole.q) <= 3e-12);
-    ROT_CHECK(apart(on.omega, whole.omega) <= 1e-11);
+    ROT_CHECK(gap(on.omega, whole.omega) <= 1e-11);
   }
 }
 

@@ -8,7 +8,7 @@
 #include "rot_test.h"
 #include "shared_table.h"
 
-enum { MOST = 64 };
+enum { MAX = 64 };
 
 /* ---- against mpmath -------------------------------------------------------------------------- */
 
@@ -269,9 +269,9 @@ static rot_shaft_params params_of(const shaft_case *x) {
 static double worst_ratio = 0.0, smallest_ratio = 1.0, worst_relative = 0.0;
 
 static double largest(size_t n, const double x[]) {
-  double most = 0.0;
-  for (size_t i = 0; i < n; i++) most = fmax(most, fabs(x[i]));
-  return most;
+  double max = 0.0;
+  for (size_t i = 0; i < n; i++) max = fmax(max, fabs(x[i]));
+  return max;
 }
 
 /* One row, and the same row as the last of an even grid. Both are within the errors stated. */
@@ -400,13 +400,13 @@ static void check_shared_table(void) {
 
 /* Frequencies known in closed form: equal rotors and springs have 2 sqrt(k/J) sin(m pi/(2 n)). */
 static void check_frequencies(void) {
-  double J[MOST], k[MOST], zero[MOST] = {0.0}, sigma[MOST];
-  for (int i = 0; i < MOST; i++) J[i] = 0.5, k[i] = 200.0;
-  const rot_shaft_params p = {MOST, J, k, zero, zero, zero, zero, zero, 0.0};
+  double J[MAX], k[MAX], zero[MAX] = {0.0}, sigma[MAX];
+  for (int i = 0; i < MAX; i++) J[i] = 0.5, k[i] = 200.0;
+  const rot_shaft_params p = {MAX, J, k, zero, zero, zero, zero, zero, 0.0};
   ROT_CHECK_EQ_INT(rot_shaft_frequencies(&p, sigma, NULL), ROT_OK);
   ROT_CHECK(sigma[0] == 0.0);
-  for (int m = 1; m < MOST; m++) {
-    ROT_CHECK_REL(sigma[m], 40.0 * sin(m * 3.14159265358979323846 / (2.0 * MOST)), 4e-15);
+  for (int m = 1; m < MAX; m++) {
+    ROT_CHECK_REL(sigma[m], 40.0 * sin(m * 3.14159265358979323846 / (2.0 * MAX)), 4e-15);
   }
   /* Two rotors: sqrt(k (1/J1 + 1/J2)), wherever the numbers are. */
   const double scale[] = {1e-300, 1.0, 1e300};
@@ -512,7 +512,8 @@ static void check_ends(void) {
 static void check_rigid(void) {
   double J[3] = {1.0, 0.5, 2.0}, k[2], c[2] = {3.0, 0.0}, zero[3] = {0.0};
   double even[3] = {0.2, 0.1, 0.4}, odd[3] = {0.3, 0.0, 0.0}, tau[3] = {4.0, 0.0, -1.0};
-  double together[3] = {2.0, 2.0, 2.0}, apart[3] = {2.0, 2.0, 2.001}, *start[] = {together, apart};
+  double together[3] = {2.0, 2.0, 2.0}, difference[3] = {2.0, 2.0, 2.001},
+         *start[] = {together, difference};
   double *drag[] = {zero, even, odd};
   for (int i = 0; i < 12; i++) {
     k[0] = i % 2 ? 1e4 : 1e10;

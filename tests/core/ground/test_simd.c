@@ -1,5 +1,5 @@
 /* Registers of four against registers of two: the same bits, wherever columns lie in memory. */
-#include "ground/wide.h"
+#include "ground/simd.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,7 +19,7 @@ static const rot_torque torque = {5, knots_s, knots_n_m, 0.0, 0.0, NULL, NULL};
 
 static double uniform(void) { return rand() / (RAND_MAX + 1.0); }
 
-static double narrow[COLUMNS][N + 8], wide[COLUMNS][N + 8];
+static double narrow[COLUMNS][N + 8], simd[COLUMNS][N + 8];
 
 static rot_info grid_rows(double to[COLUMNS][N + 8], size_t shift, size_t n, const double t[],
                           const rot_axle_params *p) {
@@ -41,11 +41,11 @@ static void check_grids(void) {
     const size_t n = sizes[turn % 11], shift = (size_t)turn % 5;
     const double step = 8.5 * uniform() / (double)n;
     for (size_t i = 0; i < n; i++) t[i] = 0.01 * turn + step * (double)i;
-    rot_wide_allow(0);
+    rot_simd_allow(0);
     const rot_info slow = grid_rows(narrow, shift, n, t, &p);
-    rot_wide_allow(1);
-    const rot_info fast = grid_rows(wide, shift, n, t, &p);
-    ROT_CHECK(memcmp(narrow, wide, sizeof narrow) == 0); /* and nothing before or after */
+    rot_simd_allow(1);
+    const rot_info fast = grid_rows(simd, shift, n, t, &p);
+    ROT_CHECK(memcmp(narrow, simd, sizeof narrow) == 0); /* and nothing before or after */
     ROT_CHECK(slow.measure[ROT_OMEGA].error == fast.measure[ROT_OMEGA].error &&
               slow.measure[ROT_THETA].error == fast.measure[ROT_THETA].error);
     ROT_CHECK(slow.measure[ROT_OMEGA].largest == fast.measure[ROT_OMEGA].largest &&
@@ -70,7 +70,7 @@ static void check_sweep(void) {
     double(*c)[N] = to[k];
     const rot_axle_sweep_columns out = {c[0], c[1], c[2], c[3], c[4], c[5], c[6], status[k]};
     rot_info info;
-    rot_wide_allow(k);
+    rot_simd_allow(k);
     ROT_CHECK(rot_axle_sweep_linear(&torque, &rows, 1, &out, NULL, &info) == ROT_OK);
   }
   ROT_CHECK(memcmp(to[0], to[1], sizeof to[0]) == 0);
@@ -94,9 +94,9 @@ static void check_log1p(void) {
 
 int main(void) {
   srand(20);
-  if (!rot_wide_ok()) printf("skip - no registers of four here\n");
-  rot_wide_allow(0);
-  ROT_CHECK(!rot_wide_ok() && !rot_wide_fma_ok());
+  if (!rot_simd_ok()) printf("skip - no registers of four here\n");
+  rot_simd_allow(0);
+  ROT_CHECK(!rot_simd_ok() && !rot_simd_fma_ok());
   check_grids();
   check_sweep();
   check_log1p();

@@ -1,16 +1,16 @@
-#include "scene/drive/pace.h"
+#include "scene/drive/time_scales.h"
 
 #include <math.h>
 #include <stddef.h>
 
-#include "scene/axle/pace.h"
+#include "scene/axle/time_scales.h"
 #include "scene/drive/drive.h"
 
 /* A bound on the largest eigenvalue of J^-1/2 K J^-1/2 (Gershgorin), with K of springs or dampers
  * between neighbours, each behind a gear: k (theta_i - ratio theta_(i+1))^2/2. Gears that hold
  * rotors together only lessen it. `of`: where a coupling has its k. */
 static double largest_rate(const rot_drive_scene *scene, size_t of) {
-  double most = 0.0, before = 0.0;
+  double max = 0.0, before = 0.0;
   for (size_t i = 0; i < scene->n; i++) {
     double own = before;
     if (i + 1 < scene->n) {
@@ -22,38 +22,38 @@ static double largest_rate(const rot_drive_scene *scene, size_t of) {
       own += k / j + across;
       before = k * c->ratio * c->ratio / next + across;
     }
-    most = fmax(most, own);
+    max = fmax(max, own);
   }
-  return most;
+  return max;
 }
 
-void rot_drive_pace(const void *of, const double sizes[], rot_pace *to) {
+void rot_drive_time_scales(const void *of, const double sizes[], rot_time_scales *to) {
   const rot_drive_scene *scene = of;
   double decay = 0.0;
   double swing = sqrt(largest_rate(scene, offsetof(rot_drive_coupling, stiffness_n_m_per_rad)));
   for (size_t i = 0; i < scene->n; i++) {
-    const rot_drive_grip *grip[] = {&scene->brake[i],
-                                    i + 1 < scene->n ? &scene->coupling[i].grip : NULL};
+    const rot_drive_friction *friction[] = {&scene->brake[i],
+                                            i + 1 < scene->n ? &scene->coupling[i].friction : NULL};
     const rot_axle_rates rotor = rot_axle_rates_of(&scene->rotor[i], sizes[ROT_OMEGA]);
     decay = fmax(decay, rotor.decay_per_s);
     swing = fmax(swing, rotor.swing_rad_per_s);
     for (int k = 0; k < 2; k++) {
-      if (!grip[k] || !grip[k]->acts) continue;
-      const rot_axle_rates law = rot_axle_rates_of(&grip[k]->law, sizes[ROT_OMEGA]);
+      if (!friction[k] || !friction[k]->acts) continue;
+      const rot_axle_rates law = rot_axle_rates_of(&friction[k]->law, sizes[ROT_OMEGA]);
       swing = fmax(swing, law.swing_rad_per_s);
     }
   }
   decay += largest_rate(scene, offsetof(rot_drive_coupling, damping_n_m_s));
-  *to = (rot_pace){1.0 / decay, swing};
+  *to = (rot_time_scales){1.0 / decay, swing};
 }
 
-void rot_drive_pace_of_start(const void *of, rot_pace *pace) {
+void rot_drive_time_scales_of_start(const void *of, rot_time_scales *time_scales) {
   const rot_drive_scene *scene = of;
-  double sizes[ROT_MOST_MEASURES] = {0.0};
+  double sizes[ROT_MAX_MEASURES] = {0.0};
   for (size_t i = 0; i < scene->n; i++) {
     const rot_axle_params *rotor = &scene->rotor[i].linear;
     sizes[ROT_THETA] = fmax(sizes[ROT_THETA], fabs(rotor->theta0_rad));
     sizes[ROT_OMEGA] = fmax(sizes[ROT_OMEGA], fabs(rotor->omega0_rad_per_s));
   }
-  rot_drive_pace(of, sizes, pace);
+  rot_drive_time_scales(of, sizes, time_scales);
 }

@@ -1,4 +1,4 @@
-#include "ground/share.h"
+#include "ground/parallel.h"
 
 #ifdef _OPENMP
 #include <omp.h>
@@ -21,22 +21,22 @@ static int may_use_threads(void) {
 static int may_use_threads(void) { return 1; }
 #endif
 
-int rot_share_threads(void) {
+int rot_parallel_threads(void) {
 #ifdef _OPENMP
-  const int most = omp_get_max_threads(), limit = omp_get_thread_limit();
-  return most < limit ? most : limit;
+  const int max = omp_get_max_threads(), limit = omp_get_thread_limit();
+  return max < limit ? max : limit;
 #else
   return 1;
 #endif
 }
 
-typedef struct share {
-  rot_share_worker work;
+typedef struct fraction {
+  rot_parallel_worker work;
   const void *frame;
   size_t n, part, next; /* next: the first row that nobody took */
   const rot_hooks *hooks;
   rot_status status; /* of the last poll */
-} share;
+} fraction;
 
 #ifdef _OPENMP
 #define ATOMIC(how) _Pragma(#how)
@@ -48,7 +48,7 @@ typedef struct share {
  * all rows before `next` are done at the end. One region for all parts: at the end of each region
  * the threads that wait burn processor time (1e6 inclines on two threads: 160 ms in regions of
  * 65,536 rows, 80 ms in one). */
-static void take_parts(share *s, int polls) {
+static void take_parts(fraction *s, int polls) {
   for (;;) {
     rot_status status;
     size_t first;
@@ -70,11 +70,11 @@ static void take_parts(share *s, int polls) {
 }
 
 /* Only the thread that called polls: the hooks may speak to R. */
-rot_status rot_share_rows(rot_share_worker work, const void *frame, size_t n, size_t part,
-                          int threads, const rot_hooks *hooks, rot_info *info) {
-  const int most = rot_share_threads();
-  share s = {work, frame, n, part, 0, hooks, ROT_OK};
-  if (threads < 1 || threads > most) threads = most;
+rot_status rot_parallel_rows(rot_parallel_worker work, const void *frame, size_t n, size_t part,
+                             int threads, const rot_hooks *hooks, rot_info *info) {
+  const int max = rot_parallel_threads();
+  fraction s = {work, frame, n, part, 0, hooks, ROT_OK};
+  if (threads < 1 || threads > max) threads = max;
   if (n <= part || (threads > 1 && !may_use_threads())) threads = 1;
   rot_info_clear(info, NULL);
   if (threads > 1) {

@@ -1,6 +1,6 @@
 /* The kernel of scene/free/table.c: rot_free_begin() and rot_free_at() (scene/free/motion.c) for
  * bodies that tumble, one in each lane. Lanes never mix: a body's result does not depend on its
- * neighbours. Compiled for registers of two there and of four in scene/free/pass.c.
+ * neighbours. Compiled for registers of two there and of four in scene/free/kernel.c.
  *
  * The motion of one body has operations of its own: numbers of any size, functions of the C
  * library, branches, divisions where the lanes multiply by an inverse. It takes 8 times as long
@@ -75,12 +75,12 @@ ROT_INLINE void rot_free_sine_cosine(rot_pair x, rot_pair *s, rot_pair *c) {
 ROT_INLINE void rot_free_quarters(rot_pair n, rot_pair *c, rot_pair *s) {
   const rot_pair none = ROT_BOTH(0.0), half = ROT_BOTH(0.5), size = rot_pair_abs(n);
   const rot_pair over = rot_pair_if_more(size, ROT_BOTH(1.5), ROT_BOTH(-1.0), ROT_BOTH(1.0));
-  const rot_pair way = rot_pair_if_more(none, n, ROT_BOTH(-1.0), ROT_BOTH(1.0));
+  const rot_pair direction = rot_pair_if_more(none, n, ROT_BOTH(-1.0), ROT_BOTH(1.0));
   const rot_pair odd =
       rot_pair_if_more(size, half, rot_pair_if_more(ROT_BOTH(1.5), size, half, none), none);
   const rot_pair c0 = *c, s0 = *s;
-  *c = rot_pair_if(odd, none - way * s0, over * c0);
-  *s = rot_pair_if(odd, way * c0, over * s0);
+  *c = rot_pair_if(odd, none - direction * s0, over * c0);
+  *s = rot_pair_if(odd, direction * c0, over * s0);
 }
 
 /* The remainder of n by 4, from -2 to 2. */
@@ -202,10 +202,10 @@ ROT_INLINE void rot_free_begin_means(rot_pair_dd m1, rot_pair_dd one_nu, rot_fre
     const rot_pair_dd more =
         rot_pair_dd_scale(rot_pair_dd_div(rot_pair_dd_mul(q, less), both), 0.5);
     /* the last mean gives K to 2^-108, and the next term of the sum is below 2^-104 of it */
-    const rot_pair apart = rot_pair_abs(a.hi - g.hi) * 0x1p52;
+    const rot_pair difference = rot_pair_abs(a.hi - g.hi) * 0x1p52;
     const rot_pair last = rot_pair_abs(more.hi) * 0x1p104;
     const rot_pair left =
-        rot_pair_if_more(apart, a.hi, one, rot_pair_if_more(last, sum.hi, one, none));
+        rot_pair_if_more(difference, a.hi, one, rot_pair_if_more(last, sum.hi, one, none));
     q = more;
     sum = rot_pair_dd_if(live, rot_pair_dd_plus(sum, q), sum);
     const rot_pair_dd mean = rot_pair_dd_scale(rot_pair_dd_plus(a, g), 0.5);
@@ -512,12 +512,12 @@ ROT_INLINE void rot_free_pass_one(rot_free_block *x, size_t i) {
   }
   /* begin_tumbling() */
   const rot_pair side = rot_pair_if_more(none, wo, none - one, one);
-  const rot_pair way = rot_pair_if_more(none, wc, none - one, one);
-  const rot_pair wide = rot_pair_if(good, d31.hi, one);
+  const rot_pair direction = rot_pair_if_more(none, wc, none - one, one);
+  const rot_pair simd = rot_pair_if(good, d31.hi, one);
   const rot_pair narrow = rot_pair_if(good, dcm.hi, one);
-  const rot_pair amplitude_o = side * rot_pair_sqrt(big_o.hi / (wide * io));
-  const rot_pair amplitude_c = way * rot_pair_sqrt(big_c.hi / (wide * ic));
-  const rot_pair amplitude_1 = side * way * rot_pair_sqrt(big_o.hi / (narrow * i1));
+  const rot_pair amplitude_o = side * rot_pair_sqrt(big_o.hi / (simd * io));
+  const rot_pair amplitude_c = direction * rot_pair_sqrt(big_c.hi / (simd * ic));
+  const rot_pair amplitude_1 = side * direction * rot_pair_sqrt(big_o.hi / (narrow * i1));
   rot_pair sn0 = w1 / amplitude_1, cn0 = wo / amplitude_o;
   const rot_pair size0 = one / rot_pair_sqrt(sn0 * sn0 + cn0 * cn0);
   sn0 *= size0;
@@ -561,7 +561,7 @@ ROT_INLINE void rot_free_pass_one(rot_free_block *x, size_t i) {
   psi = rot_pair_dd_sub(psi, rot_pair_dd_mul1(circle, whole));
   rot_pair sin_psi, cos_psi;
   rot_free_any_sine_cosine(half * (psi.hi + (swung - swing0)), &sin_psi, &cos_psi);
-  const rot_pair leading = rot_pair_if(f.by_o, way, side);
+  const rot_pair leading = rot_pair_if(f.by_o, direction, side);
   const rot_pair root = ROT_BOTH(0x1.6a09e667f3bcdp-1);
   f.quarter_c = rot_pair_if(f.is_x, root, rot_pair_if(leading, one, none));
   f.quarter_s = rot_pair_if(f.is_x, root * leading, rot_pair_if(leading, none, one));
@@ -575,7 +575,7 @@ ROT_INLINE void rot_free_pass_one(rot_free_block *x, size_t i) {
   const rot_pair shown = rot_pair_if(f.by_o, flips, one);
   const rot_pair wo1 = amplitude_o * cn, wc1 = amplitude_c * dn, w11 = amplitude_1 * sn;
   const rot_pair lo1 = shown * io * wo1, lc1 = ic * wc1, l11 = shown * i1 * w11;
-  const rot_pair round = rot_pair_if(f.is_x, none - way, way);
+  const rot_pair round = rot_pair_if(f.is_x, none - direction, direction);
   const rot_pair quarters = rot_pair_if(f.by_o, none, round * left);
   rot_free_turn(&f, leading, rot_pair_if(f.by_o, lo1, lc1), l11, rot_pair_if(f.by_o, lc1, lo1),
                 quarters, cos_psi, sin_psi, q);
@@ -624,6 +624,6 @@ ROT_INLINE void rot_free_pass(rot_free_block *x) {
 }
 
 /* The same for registers of four: where rot_wide_fma_ok(). */
-void rot_free_pass_wide(rot_free_block *x);
+void rot_free_pass_simd(rot_free_block *x);
 
 #endif

@@ -1,5 +1,5 @@
 /* The kernel of scene/axle/sweep.c: a block of axles through one piece of the torque law. Compiled
- * for registers of two there and for registers of four in scene/axle/sweep_pass.c.
+ * for registers of two there and for registers of four in scene/axle/sweep_kernel.c.
  *
  * A row of any numbers goes by rot_axle_step(), whose products and divisions keep the digits of
  * numbers of any size: 1190 ns for four pieces, against 65 here and 191 by this text for doubles
@@ -58,9 +58,9 @@ ROT_INLINE weights weights_below(rot_pair z) {
 
 /* Upward from the exponential above, where that loses less than a factor of ten. */
 ROT_INLINE weights weights_above(rot_pair z) {
-  const rot_pair one = ROT_BOTH(1.0), most = ROT_BOTH(700.0), each = one / z;
+  const rot_pair one = ROT_BOTH(1.0), max = ROT_BOTH(700.0), each = one / z;
   weights w;
-  w.start = rot_pair_decay(rot_pair_if_more(z, most, most, z));
+  w.start = rot_pair_decay(rot_pair_if_more(z, max, max, z));
   w.reach = (one - w.start) * each;
   w.near = (w.reach - w.start) * each;
   w.far = (one - w.reach) * each;
@@ -106,7 +106,7 @@ ROT_INLINE void pass_turns(rot_axle_sweep_block *x, size_t i, rot_pair turns, ro
   const rot_pair inside = rot_pair_if(at, rot_pair_if_more(s, at, turns, none), none);
   const rot_pair z = lambda * at, v = at * rot_load(x->inverse + i);
   const rot_pair torque = a + (b - a) * (at / rot_pair_if(turns, s, one));
-  const rot_pair most = rot_pair_max(rot_pair_abs(a), rot_pair_abs(b)), size = rot_pair_abs(w0);
+  const rot_pair max = rot_pair_max(rot_pair_abs(a), rot_pair_abs(b)), size = rot_pair_abs(w0);
   const weights w = weights_of(z);
   const rot_pair below = w0 * w.start + v * (a * w.near + torque * w.far);
   /* one - tiny < 1: z >= 1 is in the steady state. */
@@ -114,8 +114,8 @@ ROT_INLINE void pass_turns(rot_axle_sweep_block *x, size_t i, rot_pair turns, ro
   const rot_pair omega = rot_pair_if_more(z, last, torque * each, below);
   const rot_pair unit = ROT_BOTH(ROT_EPS);
   const rot_pair error =
-      rot_load(x->omega_error + i) + rot_pair_if_more(z, last, 12.0 * unit * (most * each + size),
-                                                      16.0 * unit * (size + v * most));
+      rot_load(x->omega_error + i) +
+      rot_pair_if_more(z, last, 12.0 * unit * (max * each + size), 16.0 * unit * (size + v * max));
   /* The end of the step is already noted; the extremum lies beyond it, up to rounding. */
   const rot_pair top = rot_load(x->omega_max + i), when = rot_load(x->omega_max_time_s + i);
   const rot_pair beyond = rot_pair_if(excess, rot_pair_if_more(stop, when, none, inside), none);
@@ -132,7 +132,7 @@ ROT_INLINE void pass_block(rot_axle_sweep_block *x, const rot_torque_piece *piec
                            double start_n_m) {
   const rot_pair none = ROT_BOTH(0.0), eps = ROT_BOTH(ROT_EPS), end = ROT_BOTH(piece->end_s);
   const double A = piece->start_n_m, B = piece->end_n_m;
-  const double most_n_m = fabs(A) > fabs(B) ? fabs(A) : fabs(B);
+  const double max_n_m = fabs(A) > fabs(B) ? fabs(A) : fabs(B);
   const int sloping = A != B;
   for (size_t i = 0; i < ROT_AXLE_SWEEP_BLOCK; i += ROT_PAIR) {
     const rot_pair own = rot_load(x->end_s + i), from = rot_load(x->time_s + i);
@@ -152,17 +152,17 @@ ROT_INLINE void pass_block(rot_axle_sweep_block *x, const rot_torque_piece *piec
     const rot_pair w1 = w0 * w.start + v * (a * w.near + b * w.far);
     const rot_pair theta =
         rot_load(x->theta + i) + s * (w0 * w.reach + v * (a * rest + b * w.last));
-    const rot_pair most = most_n_m * rot_pair_abs(scale);
+    const rot_pair max = max_n_m * rot_pair_abs(scale);
     const rot_pair size = rot_pair_abs(w0), unit = rot_pair_if(s, eps, none);
     const rot_pair before = rot_load(x->omega_error + i);
     const rot_pair error =
-        before * w.start + unit * ((16.0 + 3.0 * z) * size * w.start + 16.0 * v * most * w.reach);
+        before * w.start + unit * ((16.0 + 3.0 * z) * size * w.start + 16.0 * v * max * w.reach);
     const rot_pair top = rot_load(x->omega_max + i), low = rot_load(x->omega_min + i);
     rot_store(x->theta + i, theta);
     rot_store(x->theta_error + i,
               rot_load(x->theta_error + i) +
                   (s * w.reach * before +
-                   unit * (24.0 * s * (size * w.reach + v * most * w.far) + rot_pair_abs(theta))));
+                   unit * (24.0 * s * (size * w.reach + v * max * w.far) + rot_pair_abs(theta))));
     rot_store(x->theta_max + i, rot_pair_max(rot_load(x->theta_max + i), rot_pair_abs(theta)));
     rot_store(x->worst_error + i, rot_pair_max(rot_load(x->worst_error + i), error));
     rot_store(x->omega_max_time_s + i,
@@ -183,7 +183,7 @@ ROT_INLINE void pass_block(rot_axle_sweep_block *x, const rot_torque_piece *piec
 }
 
 /* The same for registers of four. */
-void rot_axle_sweep_pass_wide(rot_axle_sweep_block *block, const rot_torque_piece *piece,
+void rot_axle_sweep_pass_simd(rot_axle_sweep_block *block, const rot_torque_piece *piece,
                               double start_n_m);
 
 #endif

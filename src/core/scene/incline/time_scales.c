@@ -1,4 +1,4 @@
-#include "scene/incline/pace.h"
+#include "scene/incline/time_scales.h"
 
 #include <math.h>
 
@@ -6,7 +6,7 @@
 #include "scene/incline/ode.h"
 
 /* Without gravity and drag the motion has no time of its own. */
-void rot_incline_pace(const void *of, const double sizes[], rot_pace *to) {
+void rot_incline_time_scales(const void *of, const double sizes[], rot_time_scales *to) {
   const rot_incline_scene *scene = of;
   const rot_incline_params *p = &scene->slope;
   const double speed = fmax(sizes[ROT_INCLINE_V], p->radius_m * sizes[ROT_INCLINE_OMEGA]);
@@ -17,10 +17,10 @@ void rot_incline_pace(const void *of, const double sizes[], rot_pace *to) {
   if (isfinite(falls) && falls > 0.0) to->fades_s = fmin(to->fades_s, falls);
 }
 
-void rot_incline_pace_of_start(const void *of, rot_pace *to) {
+void rot_incline_time_scales_of_start(const void *of, rot_time_scales *to) {
   const rot_incline_params *p = &((const rot_incline_scene *)of)->slope;
-  double sizes[ROT_MOST_MEASURES] = {0.0};
+  double sizes[ROT_MAX_MEASURES] = {0.0};
   sizes[ROT_INCLINE_V] = fabs(p->v0_m_per_s);
   sizes[ROT_INCLINE_OMEGA] = fabs(p->omega0_rad_per_s);
-  rot_incline_pace(of, sizes, to);
+  rot_incline_time_scales(of, sizes, to);
 }

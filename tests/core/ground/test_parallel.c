@@ -1,7 +1,7 @@
 /* Rows shared out: each is done once, whatever the part and the threads; a hook stops the rest. */
 /* fork(), alarm() */
 #define _POSIX_C_SOURCE 200809L
-#include "ground/share.h"
+#include "ground/parallel.h"
 
 #include <pthread.h>
 #include <stdlib.h>
@@ -26,7 +26,7 @@ static void each_row_once(void) {
       const size_t n = sizes[k];
       int *done = calloc(n + 1, sizeof *done);
       rot_info info;
-      ROT_CHECK(rot_share_rows(count, &done, n, 16, threads, NULL, &info) == ROT_OK);
+      ROT_CHECK(rot_parallel_rows(count, &done, n, 16, threads, NULL, &info) == ROT_OK);
       ROT_CHECK(info.rows_done == n);
       for (size_t i = 0; i < n; i++) ROT_CHECK(done[i] == 1);
       ROT_CHECK(done[n] == 0);
@@ -47,7 +47,7 @@ static void a_hook_stops(void) {
     int *done = calloc(N, sizeof *done), calls = 0;
     const rot_hooks hooks = {stop, &calls};
     rot_info info;
-    const rot_status status = rot_share_rows(count, &done, N, PART, threads, &hooks, &info);
+    const rot_status status = rot_parallel_rows(count, &done, N, PART, threads, &hooks, &info);
     /* Other threads may do all parts before this one polls three times. */
     ROT_CHECK(status == (calls == 3 ? ROT_EUNWIND : ROT_OK));
     if (threads == 1) ROT_CHECK(calls == 3 && info.rows_done == 3 * PART);
@@ -79,8 +79,8 @@ static void wait_for_another(const void *frame, size_t first, size_t last) {
 
 static void threads_are_used(void) {
   rot_info info;
-  if (rot_share_threads() < 2) return;
-  ROT_CHECK(rot_share_rows(wait_for_another, NULL, 2, 1, 2, NULL, &info) == ROT_OK);
+  if (rot_parallel_threads() < 2) return;
+  ROT_CHECK(rot_parallel_rows(wait_for_another, NULL, 2, 1, 2, NULL, &info) == ROT_OK);
   ROT_CHECK(several && info.rows_done == 2);
 }
 
@@ -89,12 +89,13 @@ static void threads_are_used(void) {
 static void a_child_goes_alone(void) {
   rot_info info;
   int *done = calloc(64, sizeof *done), said = -1;
-  ROT_CHECK(rot_share_rows(count, &done, 64, 16, 2, NULL, &info) == ROT_OK);
+  ROT_CHECK(rot_parallel_rows(count, &done, 64, 16, 2, NULL, &info) == ROT_OK);
   (void)fflush(stdout);
   const pid_t child = fork();
   if (child == 0) {
     (void)alarm(20);
-    _exit(rot_share_rows(count, &done, 64, 16, 2, NULL, &info) == ROT_OK && done[63] == 2 ? 0 : 1);
+    _exit(rot_parallel_rows(count, &done, 64, 16, 2, NULL, &info) == ROT_OK && done[63] == 2 ? 0
+                                                                                             : 1);
   }
   ROT_CHECK(child > 0 && waitpid(child, &said, 0) == child);
   ROT_CHECK_EQ_INT(said, 0);
@@ -107,7 +108,7 @@ static void a_child_goes_alone(void) { ROT_CHECK(1); }
 int main(void) {
   each_row_once();
   a_hook_stops();
-  ROT_CHECK(rot_share_threads() >= 1);
+  ROT_CHECK(rot_parallel_threads() >= 1);
   threads_are_used();
   a_child_goes_alone();
   return rot_test_report("share");

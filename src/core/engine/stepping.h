@@ -1,12 +1,12 @@
 /* Rows of a motion, outward from its start: backward in time first, then forward, one piece of time
- * after the other. The march handles times, rows, polls and the report of the run; the model
+ * after the other. The loop handles times, rows, polls and the report of the run; the model
  * computes the motion. */
-#ifndef ROT_MARCH_H
-#define ROT_MARCH_H
+#ifndef ROT_STEPPING_H
+#define ROT_STEPPING_H
 
 #include "ground/status.h"
 
-typedef struct rot_march {
+typedef struct rot_stepping {
   /* Go to the start and enter the first piece from there; ROT_EVALUE if this direction is not
    * possible. NULL: no state is carried from row to row, and all rows are written in order. */
   rot_status (*restart)(void *model, int forward);
@@ -19,11 +19,11 @@ typedef struct rot_march {
   /* or, instead, rows first .. last - 1 of it: *end is the first one that is not written. A model
    * without restart() may stop early, and is polled each time. */
   rot_status (*write_rows)(void *model, size_t first, size_t last, size_t *end);
-} rot_march;
+} rot_stepping;
 
 /* Times are finite and do not decrease. info is cleared by the caller; steps counts pieces. Polls
  * after every 8192 rows and pieces. On failure the first info->rows_done rows are valid. */
-rot_status rot_march_rows(const rot_march *march, void *model, double start_s, size_t n,
-                          const double time_s[], const rot_hooks *hooks, rot_info *info);
+rot_status rot_step_rows(const rot_stepping *stepping, void *model, double start_s, size_t n,
+                         const double time_s[], const rot_hooks *hooks, rot_info *info);
 
 #endif

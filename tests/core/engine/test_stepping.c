@@ -1,17 +1,17 @@
 /* Rows outward from a start, over pieces of two seconds; the model counts what it is asked. */
-#include "engine/march.h"
+#include "engine/stepping.h"
 #include "rot_test.h"
 
 #include <math.h>
 
-enum { MOST = 20000 };
+enum { MAX = 20000 };
 
 typedef struct counter {
   const double *time_s;
   double start_s, base_s, piece_end_s;
   int forward, backward_too, restarts, pieces;
   size_t written, fail_at;
-  size_t order[MOST];
+  size_t order[MAX];
 } counter;
 
 static rot_status restart(void *model, int forward) {
@@ -63,15 +63,15 @@ static rot_status some_rows(void *model, size_t first, size_t last, size_t *end)
   return ROT_OK;
 }
 
-static const rot_march by_row = {restart, holds, next_piece, write_row, NULL};
-static const rot_march by_piece = {restart, holds, next_piece, NULL, write_rows};
-static const rot_march in_order = {.write_rows = some_rows};
+static const rot_stepping by_row = {restart, holds, next_piece, write_row, NULL};
+static const rot_stepping by_piece = {restart, holds, next_piece, NULL, write_rows};
+static const rot_stepping in_order = {.write_rows = some_rows};
 
-static rot_status go(const rot_march *march, counter *c, size_t n, const double t[],
+static rot_status go(const rot_stepping *stepping, counter *c, size_t n, const double t[],
                      const rot_hooks *hooks, rot_info *info) {
   rot_info_clear(info, NULL);
   c->time_s = t;
-  return rot_march_rows(march, c, c->start_s, n, t, hooks, info);
+  return rot_step_rows(stepping, c, c->start_s, n, t, hooks, info);
 }
 
 static void check_order(void) {
@@ -79,15 +79,15 @@ static void check_order(void) {
   const size_t outward[] = {2, 1, 0, 3, 4, 5, 6, 7};
   static counter c;
   rot_info info;
-  c = (counter){.backward_too = 1, .fail_at = MOST};
+  c = (counter){.backward_too = 1, .fail_at = MAX};
   ROT_CHECK_EQ_INT(go(&by_row, &c, 8, t, NULL, &info), ROT_OK);
   for (int i = 0; i < 8; i++) ROT_CHECK_EQ_INT(c.order[i], outward[i]);
   ROT_CHECK(c.restarts == 2 && c.pieces == 1 + 4 && info.steps == 7);
   ROT_CHECK(info.rows_done == 8 && info.time_s == 9.0);
-  c = (counter){.backward_too = 1, .fail_at = MOST};
+  c = (counter){.backward_too = 1, .fail_at = MAX};
   ROT_CHECK_EQ_INT(go(&by_piece, &c, 8, t, NULL, &info), ROT_OK);
   ROT_CHECK(c.written == 8 && info.steps == 7 && c.order[0] == 2 && c.order[1] == 0);
-  c = (counter){.fail_at = MOST};
+  c = (counter){.fail_at = MAX};
   ROT_CHECK_EQ_INT(go(&in_order, &c, 8, t, NULL, &info), ROT_OK);
   for (size_t i = 0; i < 8; i++) ROT_CHECK_EQ_INT(c.order[i], i);
   ROT_CHECK(info.rows_done == 8 && info.steps == 0);
@@ -101,16 +101,16 @@ static void check_failures(void) {
   static counter c;
   rot_info info;
   for (int bulk = 0; bulk < 2; bulk++) {
-    const rot_march *march = bulk ? &by_piece : &by_row;
+    const rot_stepping *stepping = bulk ? &by_piece : &by_row;
     for (size_t fail_at = 0; fail_at < 8; fail_at++) {
       c = (counter){.backward_too = 1, .fail_at = fail_at};
-      ROT_CHECK_EQ_INT(go(march, &c, 8, t, NULL, &info), ROT_ERANGE);
+      ROT_CHECK_EQ_INT(go(stepping, &c, 8, t, NULL, &info), ROT_ERANGE);
       ROT_CHECK_EQ_INT(info.status, ROT_ERANGE);
       ROT_CHECK_EQ_INT(info.rows_done, fail_at < 3 ? 0 : fail_at);
       ROT_CHECK(info.time_s == t[fail_at]);
     }
   }
-  c = (counter){.fail_at = MOST}; /* forward only */
+  c = (counter){.fail_at = MAX}; /* forward only */
   ROT_CHECK_EQ_INT(go(&by_row, &c, 8, t, NULL, &info), ROT_EVALUE);
   ROT_CHECK(info.rows_done == 0 && info.time_s == t[0]);
   ROT_CHECK_EQ_INT(go(&by_row, &c, 5, t + 3, NULL, &info), ROT_OK);
@@ -123,22 +123,22 @@ static rot_status no_more(void *ctx, double fraction) {
 }
 
 static void check_polls(void) {
-  static double t[MOST];
+  static double t[MAX];
   static counter c;
   rot_info info;
-  for (int i = 0; i < MOST; i++) t[i] = 1e-5 * i; /* one piece */
+  for (int i = 0; i < MAX; i++) t[i] = 1e-5 * i; /* one piece */
   for (int bulk = 0; bulk < 2; bulk++) {
     int left = 1;
     const rot_hooks hooks = {no_more, &left};
-    c = (counter){.fail_at = MOST};
-    ROT_CHECK_EQ_INT(go(bulk ? &by_piece : &by_row, &c, MOST, t, &hooks, &info), ROT_EUNWIND);
+    c = (counter){.fail_at = MAX};
+    ROT_CHECK_EQ_INT(go(bulk ? &by_piece : &by_row, &c, MAX, t, &hooks, &info), ROT_EUNWIND);
     ROT_CHECK(info.rows_done == 16384 && info.time_s == t[16383]);
   }
-  for (int i = 0; i < MOST; i++) t[i] = 4.0 * i; /* two pieces to a row */
+  for (int i = 0; i < MAX; i++) t[i] = 4.0 * i; /* two pieces to a row */
   int left = 0;
   const rot_hooks hooks = {no_more, &left};
-  c = (counter){.fail_at = MOST};
-  ROT_CHECK_EQ_INT(go(&by_row, &c, MOST, t, &hooks, &info), ROT_EUNWIND);
+  c = (counter){.fail_at = MAX};
+  ROT_CHECK_EQ_INT(go(&by_row, &c, MAX, t, &hooks, &info), ROT_EUNWIND);
   ROT_CHECK_EQ_INT(info.rows_done + (size_t)c.pieces, 8192);
   left = 2; /* a model that stops early is polled each time */
   ROT_CHECK_EQ_INT(go(&in_order, &c, 20, t, &hooks, &info), ROT_EUNWIND);

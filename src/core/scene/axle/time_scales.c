@@ -1,4 +1,4 @@
-#include "scene/axle/pace.h"
+#include "scene/axle/time_scales.h"
 
 #include <math.h>
 
@@ -41,15 +41,15 @@ rot_axle_rates rot_axle_rates_of(const rot_axle_scene *scene, double omega) {
   return rates;
 }
 
-void rot_axle_pace(const void *built, const double sizes[], rot_pace *pace) {
+void rot_axle_time_scales(const void *built, const double sizes[], rot_time_scales *time_scales) {
   const rot_axle_rates rates = rot_axle_rates_of(built, sizes[ROT_OMEGA]);
-  *pace = (rot_pace){1.0 / rates.decay_per_s, rates.swing_rad_per_s};
+  *time_scales = (rot_time_scales){1.0 / rates.decay_per_s, rates.swing_rad_per_s};
 }
 
-void rot_axle_pace_of_start(const void *built, rot_pace *pace) {
+void rot_axle_time_scales_of_start(const void *built, rot_time_scales *time_scales) {
   const rot_axle_scene *scene = built;
   const double sizes[] = {fabs(scene->linear.theta0_rad), fabs(scene->linear.omega0_rad_per_s)};
-  rot_axle_pace(scene, sizes, pace);
+  rot_axle_time_scales(scene, sizes, time_scales);
 }
 
 const double *rot_axle_breaks(const void *built, size_t *n) {

@@ -44,7 +44,7 @@ static rot_status slope(double t, const double y[], double f[], void *ctx) {
 
 /* The last state against theta and omega, within the estimate and the accuracy. */
 static void go(int which, double theta0, double omega0, double start, double end, double theta,
-               double omega, size_t most_calls) {
+               double omega, size_t max_calls) {
   const double y0[] = {theta0, omega0};
   for (int method = ROT_METHOD_RK8PD; method <= ROT_METHOD_RADAU; method++) {
     double t[5], y[10], error[2], largest[2];
@@ -65,7 +65,7 @@ static void go(int which, double theta0, double omega0, double start, double end
     const double *last = back ? y : y + 8;
     ROT_CHECK(fabs(last[0] - theta) <= fmin(error[0], 1e-9) + 1e-14 * (1.0 + fabs(theta)));
     ROT_CHECK(fabs(last[1] - omega) <= fmin(error[1], 1e-9) + 1e-14 * (1.0 + fabs(omega)));
-    if (method == ROT_METHOD_RK8PD) ROT_CHECK(l.calls < most_calls);
+    if (method == ROT_METHOD_RK8PD) ROT_CHECK(l.calls < max_calls);
   }
 }
 
@@ -99,8 +99,8 @@ static void check_jump_in_time(void) {
   go(STEP_IN_TIME, 0.0, 0.0, 0.0, 2.0, 0.245 + 0.7 * u - 1.5 * u * u, 0.7 - 3.0 * u, 1500);
 }
 
-/* From omega = -1: up at 2 rad/s^2, on to the wall at 1/2 s with theta = -1/4, and held: above it
- * the slope is -3/4, below it 2. */
+/* From omega = -1: up at 2 rad/s^2, on to the surface at 1/2 s with theta = -1/4, and held: above
+ * it the slope is -3/4, below it 2. */
 static void check_slide(void) { go(FILM, 0.0, -1.0, 0.0, 4.0, -0.25, 0.0, 2000); }
 
 /* Collocation knows no sliding, so calls that cost much are not spent on a try of it. */
@@ -126,8 +126,8 @@ static void check_slide_of_costly_law(void) {
   ROT_CHECK_EQ_INT((long long)calls[1], (long long)calls[0]);
 }
 
-/* Where the far side of a wall has lost its law the run ends on the wall, and does not search for a
- * way along it. */
+/* Where the far side of a surface has lost its law the run ends on the surface, and does not search
+ * for a way along it. */
 static void check_lost_side(void) {
   const double y0[] = {0.0, -0.5};
   double t[41], y[82], error[2], largest[2];

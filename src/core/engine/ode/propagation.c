@@ -1,4 +1,4 @@
-#include "engine/ode/growth.h"
+#include "engine/ode/propagation.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -8,10 +8,10 @@
 #include "maths/expm.h"
 #include "ground/real.h"
 
-rot_ode_growth *rot_ode_growth_alloc(const rot_ode_params *p) {
+rot_ode_propagation *rot_ode_propagation_alloc(const rot_ode_params *p) {
   const size_t n = p->controlled, square = n * n;
-  if (n > ROT_ODE_MOST_GROWTH) return NULL;
-  rot_ode_growth *g = calloc(1, sizeof *g);
+  if (n > ROT_ODE_MAX_PROPAGATION) return NULL;
+  rot_ode_propagation *g = calloc(1, sizeof *g);
   double *data = calloc(4 * square + ROT_EXPM_WORK(n) + n + 2 * p->dim, sizeof *data);
   if (!g || !data) {
     free(g);
@@ -30,31 +30,31 @@ rot_ode_growth *rot_ode_growth_alloc(const rot_ode_params *p) {
   return g;
 }
 
-void rot_ode_growth_free(rot_ode_growth *g) {
+void rot_ode_propagation_free(rot_ode_propagation *g) {
   if (!g) return;
   free(g->spread);
   free(g);
 }
 
-void rot_ode_growth_set_out(rot_ode_growth *g) {
+void rot_ode_propagation_begin(rot_ode_propagation *g) {
   if (g) memset(g->spread, 0, g->n * g->n * sizeof *g->spread);
 }
 
-void rot_ode_growth_new_stretch(rot_ode_growth *g) {
+void rot_ode_propagation_new_segment(rot_ode_propagation *g) {
   if (g) g->known = 0;
 }
 
-void rot_ode_growth_hold(rot_ode_growth *g, size_t component) {
+void rot_ode_propagation_hold(rot_ode_propagation *g, size_t component) {
   if (!g) return;
   for (size_t i = 0; i < g->n; i++) {
     g->spread[i * g->n + component] = g->spread[component * g->n + i] = 0.0;
   }
 }
 
-/* Beyond a wall the right-hand side is called on the wall: no difference there. */
-static int passes_wall(const rot_ode_law *law, size_t component, double to) {
-  for (size_t k = 0; k < law->walls->count; k++) {
-    const rot_ode_wall *w = &law->walls->wall[k];
+/* Beyond a surface the right-hand side is called on the surface: no difference there. */
+static int passes_surface(const rot_ode_law *law, size_t component, double to) {
+  for (size_t k = 0; k < law->surfaces->count; k++) {
+    const rot_ode_surface *w = &law->surfaces->surface[k];
     if (w->component != component) continue;
     if (law->side[k] > 0 ? to < w->above : law->side[k] < 0 && to > w->below) return 1;
   }
@@ -62,11 +62,12 @@ static int passes_wall(const rot_ode_law *law, size_t component, double to) {
 }
 
 /* The derivative of the slope by the state, from differences of a thousandth of the step. */
-static rot_status derivative(rot_ode_growth *growth, rot_ode_law *law, const rot_ode_state *state,
-                             rot_ode_track *track, const double before[], double d[]) {
+static rot_status derivative(rot_ode_propagation *propagation, rot_ode_law *law,
+                             const rot_ode_state *state, rot_ode_trajectory *trajectory,
+                             const double before[], double d[]) {
   const rot_ode_params *p = law->p;
   const size_t n = p->controlled;
-  double *y = growth->y, *f = growth->f;
+  double *y = propagation->y, *f = propagation->f;
   memcpy(y, state->y, p->dim * sizeof *y);
   for (size_t m = 0; m < rot_ode_steering(p); m++) {
     const rot_ode_group g = rot_ode_group_of(p, m);
@@ -77,12 +78,13 @@ static rot_status derivative(rot_ode_growth *growth, rot_ode_law *law, const rot
     }
     const double by = fmax(1e-3 * moved, 1e-8 * fmax(size, state->largest[m]));
     for (size_t i = g.first; i < g.first + g.count; i++) {
-      y[i] = state->y[i] + (passes_wall(law, i, state->y[i] + by) ? -by : by);
+      y[i] = state->y[i] + (passes_surface(law, i, state->y[i] + by) ? -by : by);
       const double step = y[i] - state->y[i];
       rot_status status = ROT_ERHS;
       if (step != 0.0) status = rot_ode_slope_at(law, law->clock->t, y, f);
       if (status != ROT_OK && status != ROT_ERHS) return status;
-      double *all = track ? track->derivative + (track->nodes.count - 1) * p->dim * n : NULL;
+      double *all =
+          trajectory ? trajectory->derivative + (trajectory->nodes.count - 1) * p->dim * n : NULL;
       for (size_t k = 0; k < p->dim && all && status == ROT_OK; k++) {
         all[k * n + i] = (f[k] - state->slope[k]) / step;
       }
@@ -96,9 +98,9 @@ static rot_status derivative(rot_ode_growth *growth, rot_ode_law *law, const rot
   return ROT_OK;
 }
 
-rot_status rot_ode_growth_step(rot_ode_growth *g, rot_ode_law *law, const rot_ode_state *state,
-                               rot_ode_track *track, double h, const double before[],
-                               size_t parts) {
+rot_status rot_ode_propagation_step(rot_ode_propagation *g, rot_ode_law *law,
+                                    const rot_ode_state *state, rot_ode_trajectory *trajectory,
+                                    double h, const double before[], size_t parts) {
   const rot_ode_params *p = law->p;
   const size_t n = g->n;
   if (h == 0.0) return ROT_OK;
@@ -107,7 +109,7 @@ rot_status rot_ode_growth_step(rot_ode_growth *g, rot_ode_law *law, const rot_od
   g->derivative1 = swap;
   rot_ode_stiffness *stiffness = law->stiffness;
   law->stiffness = NULL;
-  const rot_status status = derivative(g, law, state, track, before, g->derivative1);
+  const rot_status status = derivative(g, law, state, trajectory, before, g->derivative1);
   law->stiffness = stiffness;
   if (status != ROT_OK) return status;
   for (size_t i = 0; i < n * n; i++) {
