@@ -429,7 +429,7 @@ static void *act(void *data) {
     EXPECT(a, lies || report.status == status);
     EXPECT(a, lies || status == ROTDYN_OK || (report.input && report.reason[0]));
     if (status == ROTDYN_OK && place < MAX_KINDS) a->right[place]++;
-    /* `copies` of a refused scene is 0: its runs are refused, too. */
+    /* `rows_per_time` of a refused scene is 0: its runs are refused, too. */
     call_about(a, object, constructor, lies ? 16 : report.rows_per_time);
     if (a->shared && one_in(a, 4)) call_about(a, a->shared, "scene_free", 1);
     if (one_in(a, 20)) ask_tables(a);
