@@ -17,14 +17,14 @@ enum { ROWS = 6, LINKS = 16 };
 typedef struct sample {
   const rot_constraint *c;
   const char *model; /* NULL: the one that is chosen */
-  rot_given given[ROT_MOST_INPUTS];
-  double x[ROT_MOST_INPUTS][LINKS];
+  rot_given given[ROT_MAX_INPUTS];
+  double x[ROT_MAX_INPUTS][LINKS];
   double start_s, rows_s[ROWS], accuracy;
 } sample;
 
 /* The true angles and rates of each link, the flows since the start, the largest angle and rate. */
 typedef struct answer {
-  quad theta[ROWS][LINKS], omega[ROWS][LINKS], flow[ROWS][ROT_MOST_FLOWS];
+  quad theta[ROWS][LINKS], omega[ROWS][LINKS], flow[ROWS][ROT_MAX_FLOWS];
   double most[2];
 } answer;
 
@@ -69,8 +69,8 @@ static inline void draw_rows(sample *s, double from, double to) {
 /* A motion as the package has it. */
 typedef struct got {
   size_t links;
-  double column[ROT_MOST_COLUMNS][ROWS * LINKS], flow[ROT_MOST_FLOWS][ROWS];
-  double flow_error[ROT_MOST_FLOWS];
+  double column[ROT_MAX_COLUMNS][ROWS * LINKS], flow[ROT_MAX_FLOWS][ROWS];
+  double flow_error[ROT_MAX_FLOWS];
   rot_outcome out;
 } got;
 
@@ -84,11 +84,11 @@ static inline int run_sample(const sample *s, void *scene, got *g) {
     fprintf(stderr, "%s %s\n", s->c->makers->inputs[no.input].name, no.reason);
     return 0;
   }
-  void *column[ROT_MOST_COLUMNS];
-  double *flow[ROT_MOST_FLOWS];
-  for (int i = 0; i < ROT_MOST_COLUMNS; i++) column[i] = g->column[i];
-  for (int i = 0; i < ROT_MOST_FLOWS; i++) flow[i] = g->flow[i];
-  g->links = rot_run_copies(s->c, scene);
+  void *column[ROT_MAX_COLUMNS];
+  double *flow[ROT_MAX_FLOWS];
+  for (int i = 0; i < ROT_MAX_COLUMNS; i++) column[i] = g->column[i];
+  for (int i = 0; i < ROT_MAX_FLOWS; i++) flow[i] = g->flow[i];
+  g->links = rot_run_rows_per_time(s->c, scene);
   const rot_task task = {
       .n = ROWS, .time_s = s->rows_s, .accuracy = s->accuracy, .max_steps = 1000000};
   const rot_rows want = {.column = column, .flow = flow, .flow_error = g->flow_error};
@@ -102,12 +102,12 @@ static inline int run_sample(const sample *s, void *scene, got *g) {
 
 /* The largest part of what is explained that a balance is off by, between all rows. */
 static inline double worst_audit(const sample *s, const void *scene, const got *g) {
-  double first[ROT_MOST_COLUMNS * LINKS], last[ROT_MOST_COLUMNS * LINKS];
-  double flow[ROT_MOST_FLOWS], error[ROT_MOST_MEASURES], worst = 0.0;
+  double first[ROT_MAX_COLUMNS * LINKS], last[ROT_MAX_COLUMNS * LINKS];
+  double flow[ROT_MAX_FLOWS], error[ROT_MAX_MEASURES], worst = 0.0;
   for (size_t m = 0; m < g->out.info.n_measures; m++) error[m] = g->out.info.measure[m].error;
   for (size_t i = 0; i + 1 < ROWS; i++) {
     for (size_t j = i + 1; j < ROWS; j++) {
-      double term[ROT_MOST_TERMS], explained[ROT_MOST_BALANCES], off[ROT_MOST_BALANCES] = {0.0};
+      double term[ROT_MAX_TERMS], explained[ROT_MAX_BALANCES], off[ROT_MAX_BALANCES] = {0.0};
       for (size_t c = 0; c < s->c->n_columns; c++) {
         for (size_t l = 0; l < g->links; l++) {
           first[c * g->links + l] = g->column[c][i * g->links + l];
