@@ -16,13 +16,13 @@ test_that("growth is found where it exceeds the scatter, and only there", {
   set.seed(1)
   time <- 1:40
   flat <- 1 + stats::rnorm(40, sd = 0.02)
-  expect_null(find_growth(time, flat))
-  expect_null(find_growth(time, flat * exp(-time / 30)))
-  grown <- find_growth(time, flat + pmin(pmax(time - 10, 0), 20) / 10)
+  expect_null(find_amplification(time, flat))
+  expect_null(find_amplification(time, flat * exp(-time / 30)))
+  grown <- find_amplification(time, flat + pmin(pmax(time - 10, 0), 20) / 10)
   expect_lt(grown[1], 13)
   expect_gt(grown[2], 28)
   # An offset of the centre makes neighbours differ, no more.
-  expect_null(find_growth(time, 1 + 0.2 * (-1)^time))
+  expect_null(find_amplification(time, 1 + 0.2 * (-1)^time))
 })
 
 test_that("the peaks of exact motions show the losses, with errors that cover the quartics'", {
