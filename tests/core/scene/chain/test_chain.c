@@ -455,23 +455,23 @@ static void many_links(void) {
 static void test_time_scales(void) {
   const double length[2] = {0.5, 0.5}, mass = 2.0, start = 0.3, sizes[2] = {1.0, 3.0};
   const double joint[2] = {0.0, 0.1};
-  rot_time_scales test_time_scales;
+  rot_time_scales scales;
   kit *k = chain(1, length, 1, &mass, 1, 1, &start, NULL);
   ROT_CHECK(kit_build(k) == ROT_OK);
-  k->c->test_time_scales(k->scene, sizes, &test_time_scales);
-  ROT_CHECK(isinf(test_time_scales.fades_s));
-  ROT_CHECK_REL(test_time_scales.swing_rad_per_s, 6.0 + sqrt(GRAVITY / 0.5), 1e-14);
+  k->c->time_scales(k->scene, sizes, &scales);
+  ROT_CHECK(isinf(scales.fades_s));
+  ROT_CHECK_REL(scales.swing_rad_per_s, 6.0 + sqrt(GRAVITY / 0.5), 1e-14);
   kit_number(k, "resistance", 0.1);
   ROT_CHECK(kit_build(k) == ROT_OK);
-  k->c->test_time_scales(k->scene, sizes, &test_time_scales);
-  ROT_CHECK_REL(test_time_scales.fades_s, 2.0 * 0.25 / 0.1, 1e-14);
+  k->c->time_scales(k->scene, sizes, &scales);
+  ROT_CHECK_REL(scales.fades_s, 2.0 * 0.25 / 0.1, 1e-14);
   /* m l^2 (4/3 1/2; 1/2 1/3) has the inverse (1/3 -1/2; -1/2 4/3) 36/7 over m l^2. */
   kit_numbers(k, "length_m", 2, length);
   kit_option(k, "links", 0);
   kit_numbers(k, "resistance", 2, joint);
   ROT_CHECK(kit_build(k) == ROT_OK);
-  k->c->test_time_scales(k->scene, sizes, &test_time_scales);
-  ROT_CHECK_REL(1.0 / test_time_scales.fades_s, 0.1 / (2.0 * 0.25) * (8.0 / 3.0) * (36.0 / 7.0),
+  k->c->time_scales(k->scene, sizes, &scales);
+  ROT_CHECK_REL(1.0 / scales.fades_s, 0.1 / (2.0 * 0.25) * (8.0 / 3.0) * (36.0 / 7.0),
                 1e-13);
   kit_free(k);
 }
