@@ -471,8 +471,7 @@ static void test_time_scales(void) {
   kit_numbers(k, "resistance", 2, joint);
   ROT_CHECK(kit_build(k) == ROT_OK);
   k->c->time_scales(k->scene, sizes, &scales);
-  ROT_CHECK_REL(1.0 / scales.fades_s, 0.1 / (2.0 * 0.25) * (8.0 / 3.0) * (36.0 / 7.0),
-                1e-13);
+  ROT_CHECK_REL(1.0 / scales.fades_s, 0.1 / (2.0 * 0.25) * (8.0 / 3.0) * (36.0 / 7.0), 1e-13);
   kit_free(k);
 }
 
