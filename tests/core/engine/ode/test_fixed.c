@@ -147,6 +147,7 @@ static void test_friction(void) {
   check_near(final_of(ROT_METHOD_RK4, 0.01, 100.0, &r), 0.0, 0.126);
   ROT_CHECK(r.y[0][1] == 0.0);
   ROT_CHECK_EQ_INT((int)r.events.event[r.events.count - 1], (int)ROT_EVENT_STICK);
+  rot_events_free(&r.events);
 }
 
 static void test_ends(void) {
