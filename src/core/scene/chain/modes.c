@@ -48,12 +48,12 @@ rot_status rot_links_modes_build(const rot_links *c, rot_links_modes *to) {
 void rot_links_swing_start(const rot_links *c, const rot_links_modes *m, const double theta[],
                            const double omega[], rot_links_swing *to) {
   const size_t n = c->n;
-  const double time_scales = sqrt(c->gravity_m_per_s2);
+  const double root_g = sqrt(c->gravity_m_per_s2);
   for (size_t j = 0; j < n; j++) {
     to->eta[j] = to->beside[j] = 0.0;
     for (size_t i = 0; i < n; i++) {
       to->eta[j] += m->shape[i * n + j] * (m->root[i] * theta[i]);
-      to->beside[j] += m->shape[i * n + j] * (m->root[i] * (omega[i] / (time_scales * m->rate[j])));
+      to->beside[j] += m->shape[i * n + j] * (m->root[i] * (omega[i] / (root_g * m->rate[j])));
     }
   }
 }
@@ -61,11 +61,11 @@ void rot_links_swing_start(const rot_links *c, const rot_links_modes *m, const d
 void rot_links_swing_at(const rot_links *c, const rot_links_modes *m, const rot_links_swing *swing,
                         double time_s, double theta[], double omega[], double *sum) {
   const size_t n = c->n;
-  const double time_scales = sqrt(c->gravity_m_per_s2);
+  const double root_g = sqrt(c->gravity_m_per_s2);
   double along[ROT_LINKS_MAX];
   for (size_t i = 0; i < n; i++) theta[i] = omega[i] = along[i] = 0.0;
   for (size_t j = 0; j < n; j++) {
-    const double rate = time_scales * m->rate[j], phase = rate * time_s;
+    const double rate = root_g * m->rate[j], phase = rate * time_s;
     const double cosine = cos(phase), sine = sin(phase), half = sin(0.5 * phase);
     const double eta = swing->eta[j] * cosine + swing->beside[j] * sine;
     const double turn = rate * (swing->beside[j] * cosine - swing->eta[j] * sine);
@@ -90,10 +90,10 @@ void rot_links_swing_at(const rot_links *c, const rot_links_modes *m, const rot_
  * underflow. */
 static double energy_norm(const rot_links *c, const rot_links_modes *m, const double theta[],
                           const double omega[]) {
-  const double time_scales = sqrt(c->gravity_m_per_s2);
+  const double root_g = sqrt(c->gravity_m_per_s2);
   double norm = 0.0, x = 0.0, y = 0.0;
   for (size_t i = 0; i < c->n; i++) {
-    const double v = c->length_m[i] * (omega[i] / time_scales), f = rot_links_first(c);
+    const double v = c->length_m[i] * (omega[i] / root_g), f = rot_links_first(c);
     const double dx = v * cos(theta[i]), dy = v * sin(theta[i]), mass = sqrt(c->fraction[i]);
     norm = hypot(norm, 2.0 * m->root[i] * sin(0.5 * theta[i]));
     norm = hypot(norm, mass * hypot(x + f * dx, y + f * dy));
@@ -129,7 +129,7 @@ static double force_norm(const rot_links *c, const rot_links_modes *m, const dou
 rot_links_bound rot_links_linear_bound(const rot_links *c, const rot_links_modes *m,
                                        const double theta[], const double omega[], double time_s) {
   const size_t n = c->n;
-  const double time_scales = sqrt(c->gravity_m_per_s2), time = time_scales * fabs(time_s);
+  const double root_g = sqrt(c->gravity_m_per_s2), time = root_g * fabs(time_s);
   const double size = energy_norm(c, m, theta, omega), fastest = m->rate[n - 1];
   double swing[ROT_LINKS_MAX], turn[ROT_LINKS_MAX];
   double bends[ROT_LINKS_MAX] = {0.0}, rest[ROT_LINKS_MAX] = {0.0};
@@ -171,6 +171,6 @@ rot_links_bound rot_links_linear_bound(const rot_links *c, const rot_links_modes
     const double root = m->root[i];
     sum += root * (root * swing[i] * swing[i] * swing[i] / 6.0 + error);
   }
-  return (rot_links_bound){error / min, time_scales * error * sqrt(trace),
+  return (rot_links_bound){error / min, root_g * error * sqrt(trace),
                            c->gravity_m_per_s2 * sum * fabs(time_s)};
 }
