@@ -107,15 +107,15 @@ static void begin(clutch *c, const rot_clutch_params *p) {
  * torques are constant. */
 static void flows_of(const clutch *c, rot_clutch_flows *flows, rot_clutch_flows *error) {
   const double mean = c->mean_theta - c->anchor_theta, slip = c->slip_theta - c->anchor_slip;
-  const double direction[2] = {c->fraction[1], -c->fraction[0]}, s = c->time_s - c->anchor_s;
+  const double slip_part[2] = {c->fraction[1], -c->fraction[0]}, s = c->time_s - c->anchor_s;
   *flows = c->done;
   *error = c->done_error;
   for (int b = 0; b < 2; b++) {
-    const double work = c->tau[b] * (mean + direction[b] * slip), impulse = c->tau[b] * s;
+    const double work = c->tau[b] * (mean + slip_part[b] * slip), impulse = c->tau[b] * s;
     const double off =
         c->anchor_theta_error + c->mean_theta_error +
-        fabs(direction[b]) * (c->anchor_slip_error + c->slip_theta_error) +
-        4.0 * ROT_EPS * (fabs(c->anchor_theta) + fabs(c->mean_theta) + fabs(direction[b] * slip));
+        fabs(slip_part[b]) * (c->anchor_slip_error + c->slip_theta_error) +
+        4.0 * ROT_EPS * (fabs(c->anchor_theta) + fabs(c->mean_theta) + fabs(slip_part[b] * slip));
     flows->work_j += work;
     error->work_j += fabs(c->tau[b]) * off + 4.0 * ROT_EPS * (fabs(work) + fabs(flows->work_j));
     flows->torque_impulse_n_m_s += impulse;
@@ -282,22 +282,22 @@ static rot_status write_row(void *model, size_t i) {
   const clutch_run *run = model;
   const clutch state = after(&run->at, run->time_s[i]), *at = &state;
   const rot_clutch_columns *out = run->out;
-  const double direction[2] = {at->fraction[1], -at->fraction[0]};
+  const double slip_part[2] = {at->fraction[1], -at->fraction[0]};
   for (int b = 0; b < 2; b++) {
     const int first = at->time_s == at->p->start_s;
     const double theta =
-        first ? at->p->theta0_rad[b] : at->mean_theta + direction[b] * at->slip_theta;
+        first ? at->p->theta0_rad[b] : at->mean_theta + slip_part[b] * at->slip_theta;
     const double omega =
-        first ? at->p->omega0_rad_per_s[b] : at->mean_omega + direction[b] * at->slip_omega;
+        first ? at->p->omega0_rad_per_s[b] : at->mean_omega + slip_part[b] * at->slip_omega;
     if (!(isfinite(theta) && isfinite(omega))) return ROT_ERANGE;
     const double slip_error = at->locked && at->time_s > at->settled_s ? 0.0 : at->slip_omega_error;
     (b == 0 ? out->theta_1_rad : out->theta_2_rad)[i] = theta;
     (b == 0 ? out->omega_1_rad_per_s : out->omega_2_rad_per_s)[i] = omega;
     rot_note_row(run->info, theta, omega,
-                 at->mean_theta_error + fabs(direction[b]) * at->slip_theta_error +
-                     ROT_EPS * (4.0 * fabs(direction[b] * at->slip_theta) + fabs(theta)),
-                 at->mean_omega_error + fabs(direction[b]) * slip_error +
-                     ROT_EPS * (4.0 * fabs(direction[b] * at->slip_omega) + fabs(omega)));
+                 at->mean_theta_error + fabs(slip_part[b]) * at->slip_theta_error +
+                     ROT_EPS * (4.0 * fabs(slip_part[b] * at->slip_theta) + fabs(theta)),
+                 at->mean_omega_error + fabs(slip_part[b]) * slip_error +
+                     ROT_EPS * (4.0 * fabs(slip_part[b] * at->slip_omega) + fabs(omega)));
   }
   if (run->flow) {
     rot_clutch_flows flows, error;
@@ -337,9 +337,9 @@ rot_status rot_clutch_run(const rot_clutch_params *p, size_t n, const double tim
 
 /* rot_clutch_engage() for products that may overflow or underflow: exponents kept separately, sums
  * halved. */
-static rot_clutch_engagement engage_simd(const double inertia[2], const double fraction[2],
-                                         double capacity, const double torque[2],
-                                         const double omega[2]) {
+static rot_clutch_engagement engage_extended(const double inertia[2], const double fraction[2],
+                                             double capacity, const double torque[2],
+                                             const double omega[2]) {
   const double half_slip = 0.5 * omega[0] - 0.5 * omega[1], size = fabs(half_slip);
   const double half_sum = 0.5 * inertia[0] + 0.5 * inertia[1];
   const double reduced = fmin(inertia[0], inertia[1]) * fmax(fraction[0], fraction[1]);
@@ -389,8 +389,8 @@ rot_clutch_engagement rot_clutch_engage(double inertia_1, double inertia_2, doub
     well_scaled &= rot_well_scaled(numbers[i], 1e60) || unlimited;
   }
   if (finite && !well_scaled) {
-    return engage_simd(inertia, fraction, capacity_n_m, (double[]){torque_1, torque_2},
-                       (double[]){omega_1, omega_2});
+    return engage_extended(inertia, fraction, capacity_n_m, (double[]){torque_1, torque_2},
+                           (double[]){omega_1, omega_2});
   }
   const double mean = slip == 0.0 ? omega_1 : fraction[0] * omega_1 + fraction[1] * omega_2;
   x.locked_torque_n_m = locked_torque(inertia, torque_1, torque_2);
