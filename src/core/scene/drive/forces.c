@@ -318,7 +318,7 @@ static void held_group(rot_drive_system *s, size_t from, size_t to, const signed
 }
 
 /* Divides the holding torque of a unit among its rotors, by capacity. */
-static void fraction_hold(rot_drive_system *s, size_t u) {
+static void distribute_hold(rot_drive_system *s, size_t u) {
   const size_t ground = s->unit[u].ground;
   const double part = s->capacity[ground] > 0.0 ? s->hold[u] / s->capacity[ground] : 0.0;
   for (size_t i = s->unit[u].first; i < s->unit[u].end; i++) {
@@ -383,7 +383,7 @@ rot_status rot_drive_forces(rot_drive_system *s, double t, const double y[],
       free_group(s, from, to, mode);
     }
     for (size_t u = from; u <= to && held; u++) {
-      if (s->unit[u].ground != SIZE_MAX) fraction_hold(s, u);
+      if (s->unit[u].ground != SIZE_MAX) distribute_hold(s, u);
     }
     from = to + 1;
   }
