@@ -202,7 +202,7 @@ ROT_INLINE void rot_free_begin_means(rot_pair_dd m1, rot_pair_dd one_nu, rot_fre
     const rot_pair_dd less = rot_pair_dd_sub(square, ag);
     const rot_pair_dd more =
         rot_pair_dd_scale(rot_pair_dd_div(rot_pair_dd_mul(q, less), both), 0.5);
-    /* last mean: K to 2^-108; the next term of the sum is below 2^-104 of it */
+    /* converged: last mean gives K to 2^-108, next term of the sum below 2^-104 of it */
     const rot_pair difference = rot_pair_abs(a.hi - g.hi) * 0x1p52;
     const rot_pair last = rot_pair_abs(more.hi) * 0x1p104;
     const rot_pair left =
@@ -217,7 +217,7 @@ ROT_INLINE void rot_free_begin_means(rot_pair_dd m1, rot_pair_dd one_nu, rot_fre
     out->a[n] = a.hi;
     out->g[n] = g.hi;
     if (rot_pair_count_more(live, none) == 0) break;
-    /* root r of a g: (square + a g)/(2 r) */
+    /* its root: (square + a g)/(2 old root) */
     square = rot_pair_dd_div(rot_pair_dd_scale(rot_pair_dd_mul(both, both), 0.25), square);
   }
   const rot_pair_dd half_pi = {ROT_BOTH(0x1.921fb54442d18p+0), ROT_BOTH(0x1.1a62633145c07p-54)};
