@@ -123,25 +123,25 @@ static int beyond_doubles(const job *j, unsigned effects, size_t n) {
 
 /* ---- the sizes of the motion ----------------------------------------------------------------- */
 
-enum { ON_THE_DIRECTION = 256 };
+enum { SAMPLES = 256 };
 
-/* Closed forms record the largest values at the rows only. Evaluates more times, unevenly spaced: a
- * period of the motion then does not alias its maxima. */
-static void measure_on_the_direction(const job *j, const rot_model *model, const rot_task *task,
-                                     rot_info *info) {
+/* Closed forms record the largest values at the rows only. Evaluates more times, unevenly spaced so
+ * that no period of the motion hides larger values. */
+static void measure_between_rows(const job *j, const rot_model *model, const rot_task *task,
+                                 rot_info *info) {
   const double start = j->constraint->start_s(j->scene);
   const double from = fmin(start, task->time_s[0]);
   const double to = fmax(start, task->time_s[task->n - 1]);
-  double time_s[ON_THE_DIRECTION];
+  double time_s[SAMPLES];
   rot_task more = *task;
   rot_events events = {0};
   rot_info seen;
   job own = *j;
-  for (int i = 0; i < ON_THE_DIRECTION; i++) {
+  for (int i = 0; i < SAMPLES; i++) {
     time_s[i] = from + (to - from) * fmod((i + 1) * 0.6180339887498949, 1.0);
   }
-  rot_sort(ON_THE_DIRECTION, time_s);
-  more.n = ON_THE_DIRECTION;
+  rot_sort(SAMPLES, time_s);
+  more.n = SAMPLES;
   more.time_s = time_s;
   if (open_columns(&own, more.n, NULL) != ROT_OK) return;
   if (run_model(&own, model, &more, &events, &seen) == ROT_OK) {
@@ -182,7 +182,7 @@ static void run_candidate(const job *j, const rot_candidate *c, const rot_task *
     out->error = INFINITY;
   } else if (task->n && c->model->error_kind != ROT_ADAPTIVE && isfinite(out->error) &&
              (out->error > 1e-13 || out->error > task->accuracy)) {
-    measure_on_the_direction(j, c->model, &own, &out->info);
+    measure_between_rows(j, c->model, &own, &out->info);
     out->error = rot_info_error(&out->info);
   }
 }
