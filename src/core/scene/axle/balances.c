@@ -7,7 +7,7 @@
 #include "ground/real.h"
 #include "scene/axle/inputs.h"
 
-/* ---- energy that is stored ------------------------------------------------------------------- */
+/* ---- potential energy ------------------------------------------------------------------------ */
 
 static int stores(const rot_term *term) {
   return term->kind == ROT_TERM_SPRING || term->kind == ROT_TERM_GRAVITY;
@@ -221,7 +221,7 @@ void rot_axle_explain(const void *built, const rot_span *span, const double term
   explained[MOMENTUM] = momentum;
 }
 
-/* ---- what is conserved ----------------------------------------------------------------------- */
+/* ---- conserved quantities -------------------------------------------------------------------- */
 
 /* Springs and gravity conserve the sum of kinetic and potential energy if they act at all times. A
  * curve and dry friction represent losses of gears; on a pulley, gravity stores the work of the

@@ -224,8 +224,7 @@ static rot_axle_change segment_change(const segment *l, const rot_axle_state *v,
   return out;
 }
 
-/* ---- where a segment ends -----------------------------------------------------------------------
- * */
+/* ---- end of a segment ------------------------------------------------------------------------ */
 
 /* How v leaves the band. AGAINST: by the edge it starts from. */
 typedef enum exit_side { NOWHERE, BELOW, ABOVE, AGAINST } exit_side;
@@ -361,8 +360,7 @@ static exit_point exit_of(const segment *l) {
   return out;
 }
 
-/* ---- the segments -------------------------------------------------------------------------------
- * */
+/* ---- segments -------------------------------------------------------------------------------- */
 
 /* State of a run: a segment, which is a motion in one band, or a hold at rest. */
 typedef struct bands_run {

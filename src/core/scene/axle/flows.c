@@ -259,7 +259,7 @@ static rot_status find_edges(work *w, size_t n, const double time_s[], times *ed
   return status;
 }
 
-/* ---- by quadrature --------------------------------------------------------------------------- */
+/* ---- quadrature ------------------------------------------------------------------------------ */
 
 /* Flows by quadrature. Uses only omega and the torques of the motion: the balance with the kinetic
  * energy is an independent test. */
@@ -309,7 +309,7 @@ static rot_status by_quadrature(work *w, size_t n, const double time_s[],
   return status;
 }
 
-/* ---- in closed form -------------------------------------------------------------------------- */
+/* ---- closed form ----------------------------------------------------------------------------- */
 
 /* Flows by the closed form of ledgers. */
 static rot_status linear_flows(const rot_axle_scene *scene, size_t n, const double time_s[],

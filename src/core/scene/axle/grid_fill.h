@@ -88,8 +88,9 @@ ROT_INLINE int fill_chunk(const rot_axle_grid *grid, const rot_axle_state *from,
                                 : fill_rows(grid, from, go, 0, n, time_s, out);
 }
 
-/* fill_table() and fill_chunk() for registers of four lanes; n >= 4. */
+/* fill_table() for registers of four lanes. */
 void rot_axle_grid_table_simd(rot_axle_grid *grid, double lambda, int terms);
+/* fill_chunk() for registers of four lanes; n >= 4. */
 int rot_axle_grid_fill_simd(const rot_axle_grid *grid, const rot_axle_state *from,
                             const rot_axle_departure *go, size_t n, const double time_s[],
                             const rot_axle_columns *out);

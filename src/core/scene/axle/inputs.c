@@ -44,7 +44,7 @@ const rot_part rot_axle_parts[] = {
 };
 const size_t rot_axle_n_parts = sizeof rot_axle_parts / sizeof *rot_axle_parts;
 
-/* ---- what acts ------------------------------------------------------------------------------- */
+/* ---- loads ----------------------------------------------------------------------------------- */
 
 rot_status rot_axle_gather_breaks(rot_axle_scene *scene, rot_store *store) {
   double *all = rot_store_get(store, rot_axle_scene_room(scene), sizeof *all);
@@ -456,7 +456,7 @@ static rot_status build_gears(const rot_given given[], rot_store *store, void *t
 
 static const rot_derived gears_derived[] = {MOMENT(scene.linear.inertia_kg_m2)};
 
-/* ---- all ------------------------------------------------------------------------------------- */
+/* ---- constructors ---------------------------------------------------------------------------- */
 
 #define MAKER(name, inputs, build, derived)                                                        \
   { name, ROT_COUNT(inputs), inputs, build, ROT_COUNT(derived), derived }

@@ -42,7 +42,7 @@ static void pass_pieces(const linear_frame *frame, block *x) {
   }
 }
 
-/* ---- a row of any numbers ------------------------------------------------------------------ */
+/* ---- rows of any magnitude ------------------------------------------------------------------- */
 
 static inline void note(block *x, size_t l, double time_s, double omega, double omega_error) {
   if (omega > x->omega_max[l]) {

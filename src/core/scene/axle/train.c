@@ -15,7 +15,7 @@ static double sum_of(size_t n, const double x[]) {
   return (double)sum;
 }
 
-/* ---- the shafts at the first ----------------------------------------------------------------- */
+/* ---- conversion to the first shaft ----------------------------------------------------------- */
 
 /* Products of the ratios, then each number at the first shaft. */
 rot_status rot_axle_train_reflect(size_t n, const double ratio[], const double inertia_kg_m2[],
@@ -100,7 +100,7 @@ static line line_at(const side *at, double w) {
   return to;
 }
 
-/* ---- where power flows change ---------------------------------------------------------------- */
+/* ---- changes of power flow ------------------------------------------------------------------- */
 
 enum { MAX_BENDS = 4096 }; /* limit of their number and of recursions */
 
