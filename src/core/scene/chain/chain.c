@@ -117,6 +117,7 @@ static size_t rows_per_time(const void *scene) { return ((const chain *)scene)->
 enum { HEAT, IMPULSE, FLOWS };
 static const char *const flows[FLOWS] = {"dissipated_j", "torque_impulse_n_m_s"};
 
+/* (angles, rates) => accelerations; rates of heat and impulse. */
 static void slopes(const void *scene, const rot_system_state *at, double acceleration[],
                    double flow[], double *drive) {
   const rot_links *c = &((const chain *)scene)->links;
@@ -336,6 +337,7 @@ typedef struct modes_run {
   rot_info *info;
 } modes_run;
 
+/* Rows of all links at time i, by modes. */
 static rot_status modes_row(void *model, size_t i) {
   static const double none[ROT_LINKS_MAX] = {0.0};
   const modes_run *run = model;
@@ -353,6 +355,7 @@ static rot_status modes_row(void *model, size_t i) {
   return ROT_OK;
 }
 
+/* (scene, task) => rows and flows by modes, error bounds. */
 static rot_status swing_rows(const void *scene, const rot_task *task, rot_method method,
                              const rot_rows *rows, const rot_hooks *hooks, rot_info *info) {
   static const rot_stepping stepping = {.write_row = modes_row};

@@ -84,7 +84,7 @@ void rot_links_swing_at(const rot_links *c, const rot_links_modes *m, const rot_
   }
 }
 
-/* ---- what it leaves out ---------------------------------------------------------------------- */
+/* ---- error bound ----------------------------------------------------------------------------- */
 
 /* Upper bound of sqrt(2 (kinetic + potential energy)) of a state; hypot avoids squares that
  * underflow. */
