@@ -75,6 +75,7 @@ typedef struct clutch {
   double end_s;
 } clutch;
 
+/* parameters => state at the start, with its rounding. */
 static void begin(clutch *c, const rot_clutch_params *p) {
   const double *theta = p->theta0_rad, *omega = p->omega0_rad_per_s;
   *c = (clutch){0};
