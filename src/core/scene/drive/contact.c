@@ -40,7 +40,7 @@ void rot_drive_rates(const rot_drive_system *s, const double y[], const signed c
   }
 }
 
-/* ---- rates of bodies that stick -------------------------------------------------------------- */
+/* ---- rates of sticking bodies ---------------------------------------------------------------- */
 
 static int clutch_behind(const rot_drive_system *s, size_t u, const signed char mode[]) {
   const size_t j = s->unit[u].end - 1;

@@ -5,8 +5,8 @@
 #include "scene/drive/forces.h"
 
 /* (t, state, modes before) => modes after, at t. Contacts with slip speed 0 may stick. breaks: the
- * weakest contact breaks loose, whatever its margin. ahead_s: time ahead at which a tie is decided.
- * Rates of sticking bodies are made equal in y (a change within rounding). */
+ * weakest contact breaks loose at any margin. ahead_s: time ahead at which a tie is decided. Rates
+ * of sticking bodies are made equal in y (a change within rounding). */
 rot_status rot_drive_settle(rot_drive_system *s, double t, double y[], signed char mode[],
                             int breaks, double ahead_s);
 

@@ -14,7 +14,7 @@
 #include "scene/drive/units.h"
 #include "scene/shaft/modal.h"
 
-/* ---- the scenes of the other constraints ----------------------------------------------------- */
+/* ---- scenes of other constraints ------------------------------------------------------------- */
 
 typedef struct exact {
   const rot_drive_scene *scene;
@@ -155,7 +155,7 @@ static rot_status open_form(exact *x, const rot_query *query, rot_store *store) 
   }
 }
 
-/* ---- which form takes a scene ---------------------------------------------------------------- */
+/* ---- choice of the form ---------------------------------------------------------------------- */
 
 static int all_rotors(const rot_drive_scene *scene, int (*fits)(const rot_axle_scene *)) {
   int all = 1;
