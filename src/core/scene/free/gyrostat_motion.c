@@ -394,7 +394,7 @@ void rot_gyrostat_at(const rot_gyrostat_motion *g, rot_dd t, double q[4], double
   omega[2] = g->omega0[2] + x / g->moment[2];
   const double du = g->start_error + fabs(u.hi) * (8.0 * ROT_DD_EPS + g->lambda_error) +
                     (fabs(at.turns) + 1.0) * (g->m1_error + 16.0 * ROT_DD_EPS);
-  /* Effect of an error of the argument: on q besides the rotation about L, and on omega. */
+  /* Effect of an error of the argument on q (without the rotation about L) and on omega. */
   const double z = g->direction * (away - g->momentum), lz[3] = {l[0], l[1], z};
   double tilt = 0.0, slope = 0.0;
   for (int i = 0; i < 3; i++) {

@@ -162,7 +162,7 @@ void rot_free_explain(const void *scene, const rot_span *s, const double term[],
   explained[4] = 8.0 * eps;
 }
 
-/* ---- what stays ------------------------------------------------------------------------------ */
+/* ---- conserved quantities -------------------------------------------------------------------- */
 
 int rot_free_acts_along(const rot_free_params *p, int k) {
   int acts = p->law != NULL;

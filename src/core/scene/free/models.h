@@ -18,10 +18,13 @@ double rot_free_integrated_s(const rot_model *model, const void *scene, const ro
 /* A run by fixed steps. */
 double rot_free_steps_s(const rot_model *model, const void *scene, const rot_query *query);
 
-/* Reasons why a model does not apply; NULL: it applies. */
+/* (scene, query) => why the model does not apply, or NULL: closed form of a free body. */
 const char *rot_free_refuses_exact(const void *scene, const rot_query *query);
+/* The same: closed form of a gyrostat. */
 const char *rot_free_refuses_gyrostat(const void *scene, const rot_query *query);
+/* The same: integrators. */
 const char *rot_free_refuses_ode(const void *scene, const rot_query *query);
+/* The same: splitting. */
 const char *rot_free_refuses_split(const void *scene, const rot_query *query);
 
 /* Integrators and fixed-step methods of a free body and of one with a fixed point. effects: mask of

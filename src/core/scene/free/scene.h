@@ -53,10 +53,13 @@ rot_status rot_free_run_closed(rot_free_rows_of *form, const void *scene, const 
 #define ROT_FREE_RUN_ARGUMENTS                                                                     \
   const void *scene, const rot_task *task, rot_method method, const rot_rows *rows,                \
       const rot_hooks *hooks, rot_info *info
-/* (scene, task) => rows, flows: closed forms, integration, fixed steps. */
+/* (scene, task) => rows, flows: closed form of a free body. */
 rot_status rot_free_run_exact(ROT_FREE_RUN_ARGUMENTS);
+/* The same: closed form of a gyrostat. */
 rot_status rot_free_run_gyrostat(ROT_FREE_RUN_ARGUMENTS);
+/* The same: integration. */
 rot_status rot_free_run_integrated(ROT_FREE_RUN_ARGUMENTS);
+/* The same: fixed steps. */
 rot_status rot_free_run_steps(ROT_FREE_RUN_ARGUMENTS);
 extern const rot_model_run rot_free_runs[ROT_FREE_MODELS];
 
