@@ -435,7 +435,7 @@ rot_status rot_incline_run(const rot_incline_params *p, size_t n, const double t
   return rot_step_rows(&stepping, &run, p->start_s, n, time_s, hooks, info);
 }
 
-/* ---- one time alone -------------------------------------------------------------------------- */
+/* ---- state at one time ----------------------------------------------------------------------- */
 
 static void note_sizes(const incline *c, double max[4]) {
   const state at = state_of(c);

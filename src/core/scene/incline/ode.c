@@ -106,7 +106,7 @@ static rot_status incline_rhs(double t, const double y[], double dydt[], void *c
   return ROT_OK;
 }
 
-/* ---- how it goes on -------------------------------------------------------------------------- */
+/* ---- changes of mode ------------------------------------------------------------------------- */
 
 typedef enum cause { BEGINS, SLIP_ENDS, SPIN_ENDS, STICK_ENDS, JUMPS } cause;
 
@@ -382,6 +382,7 @@ static rot_status fill_row(const motion *m, size_t i, double t, const double y[]
   return !isfinite(f.applied) ? ROT_ERHS : finite ? ROT_OK : ROT_ERANGE;
 }
 
+/* states => rows, up to the last valid one. */
 static rot_status fill_rows(const motion *m, size_t n, const double time_s[], const double y[],
                             const rot_incline_columns *out, const rot_incline_sums *sums,
                             rot_info *info) {

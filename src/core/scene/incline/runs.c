@@ -79,6 +79,7 @@ static rot_status give_event_rows(const rot_incline_params *p, rot_incline_event
   return status;
 }
 
+/* (scene, task) => rows, flows, event rows, by the closed form. */
 static rot_status run_exact(const void *of, const rot_task *task, rot_method method,
                             const rot_rows *rows, const rot_hooks *hooks, rot_info *info) {
   const rot_incline_params *p = &((const rot_incline_scene *)of)->slope;
@@ -119,6 +120,7 @@ static rot_status open_sums(size_t n, const rot_rows *rows, rot_incline_sums *su
   return ROT_OK;
 }
 
+/* (scene, task) => rows, flows, event rows, by integration. */
 static rot_status run_integrated(const void *of, const rot_task *task, rot_method method,
                                  const rot_rows *rows, const rot_hooks *hooks, rot_info *info) {
   const rot_incline_scene *scene = of;
