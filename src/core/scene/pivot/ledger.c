@@ -128,7 +128,7 @@ rot_status rot_pivot_flows(rot_free_rows_of *form, const rot_free_params *p, con
   return status;
 }
 
-/* ---- what stays ------------------------------------------------------------------------------ */
+/* ---- conserved quantities -------------------------------------------------------------------- */
 
 static int weighs(const rot_free_params *p) {
   return p->lever_n_m[0] != 0.0 || p->lever_n_m[1] != 0.0 || p->lever_n_m[2] != 0.0;
