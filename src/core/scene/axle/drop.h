@@ -1,7 +1,7 @@
-/* Bounds on the change of the motion when effects of an axle are ignored.
+/* Bounds on the change of the motion if effects of an axle are ignored.
  *
  * A torque of at most D changes omega by at most D/I min(T, I/c) in a time T, and theta by T times
- * that; more where disturbances grow. */
+ * that; unstable motions amplify both. */
 #ifndef ROT_AXLE_DROP_H
 #define ROT_AXLE_DROP_H
 

@@ -25,7 +25,7 @@ typedef enum rot_period_kind {
 
 typedef struct rot_period {
   rot_period_kind kind;
-  double period_s;      /* > 0; NaN: none, or unequal cycles */
+  double period_s;      /* > 0, Inf: separatrix; NaN: none, or unequal cycles */
   double amplitude_rad; /* of an undamped oscillation, else NaN */
   double ratio;         /* of the amplitudes of successive cycles; 1: undamped, NaN: none */
 } rot_period;

@@ -6,7 +6,7 @@
 #include "scene/axle/scene.h"
 
 typedef struct rot_axle_rope {
-  double mass_kg[2];    /* > 0; >= 0 */
+  double mass_kg[2];    /* first > 0 (0: no rope), second >= 0 */
   double radius_m;      /* > 0 */
   double inertia_kg_m2; /* of the body without masses */
   double gravity_m_per_s2;
