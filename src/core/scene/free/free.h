@@ -44,7 +44,7 @@ typedef struct rot_free_params {
   double omega0_rad_per_s[3]; /* own axes */
   double q0[4];               /* own axes to space, unit quaternion */
   double start_s;
-  double damping_per_s; /* >= 0 */
+  double damping_per_s; /* any sign; < 0 drives */
   /* Body with a fixed point (moments about this point): weight times centre of mass from there, in
    * principal axes. Torque of gravity: z x lever, z upward. Free body: 0. */
   double lever_n_m[3];

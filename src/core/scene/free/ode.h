@@ -11,7 +11,7 @@ typedef struct rot_free_ode_options {
   double accuracy; /* requested relative error of each measure */
   size_t max_steps;
   rot_method method; /* ROT_METHOD_NONE: explicit unless stiff */
-  double resolution; /* of changes of a law given as a function: see engine/ode/ode.h */
+  double resolution; /* of changes of a law given as a function; 0: default (engine/ode/ode.h) */
 } rot_free_ode_options;
 
 /* parameters => NULL, or why the body cannot be integrated. */

@@ -37,9 +37,9 @@ int rot_free_step_order(rot_method method);
 double rot_free_default_step(const rot_free_params *p, rot_method method, double span_s);
 
 /* (parameters, options, times) => rows, flows, errors, as rot_free_integrate(). Steps have the
- * given length, from the start or from a break of the torque. Before a break, n steps are shortened
- * by at most the fraction 1/n each. A row between two step ends has a shorter step. Errors: from a
- * second run with half the step. The splitting takes gravity only. */
+ * given length, from the start or from a break of the torque. Before a break, n steps are each
+ * shortened by less than the fraction 1/n. A row between two step ends has a shorter step. Errors:
+ * from a second run with half the step. The splitting takes gravity only. */
 rot_status rot_free_step_through(const rot_free_params *p, const rot_free_step_options *options,
                                  size_t n, const double time_s[], const rot_free_columns *out,
                                  double *const flow[ROT_FREE_FLOWS],
