@@ -13,7 +13,7 @@ typedef struct rot_incline_contact {
   double spin;      /* 1/(1 + beta) */
   double pull;      /* g sin(angle), m/s^2 */
   double slides;    /* mu_kinetic g cos(angle), >= 0 */
-  double breakaway; /* mu_static g cos(angle), >= slides, Inf: no slip */
+  double breakaway; /* mu_static g cos(angle), >= 0; Inf: no slip */
   double resists;   /* arm/R g cos(angle), >= 0 */
   double holds;     /* factor >= 1 on breakaway and resists: tolerance for rounding */
 } rot_incline_contact;

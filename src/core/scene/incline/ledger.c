@@ -88,7 +88,7 @@ void rot_incline_flow(const rot_incline_params *p, const rot_incline_place *at, 
 
 /* ---- balances -------------------------------------------------------------------------------- */
 
-/* Changes as products: a small one of a large energy keeps its digits. */
+/* Changes as products: a small change of a large energy keeps its digits. */
 void rot_incline_audit(const void *of, const rot_span *s, double term[]) {
   const rot_incline_params *p = &((const rot_incline_scene *)of)->slope;
   const double m = p->mass_kg, inertia = p->inertia_kg_m2, *flow = s->flow;
@@ -112,7 +112,7 @@ void rot_incline_audit(const void *of, const rot_span *s, double term[]) {
   memcpy(term, value, sizeof value);
 }
 
-/* Friction dissipates where the contact slips: from the start, or where static friction does not
+/* Friction dissipates if the contact slips: from the start, or because static friction does not
  * suffice. */
 size_t rot_incline_conserved(const void *of, size_t balance, const char *why[]) {
   const rot_incline_scene *scene = of;

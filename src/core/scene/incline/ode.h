@@ -25,7 +25,7 @@ typedef struct rot_incline_ode_options {
   double accuracy; /* requested error of each measure, relative to its largest value */
   size_t max_steps;
   rot_method method; /* ROT_METHOD_NONE: choose */
-  double resolution; /* of changes of a law given as a function: see engine/ode/ode.h */
+  double resolution; /* of changes of a law given as a function; 0: default (engine/ode/ode.h) */
   double step_s;     /* step of a fixed-step method */
 } rot_incline_ode_options;
 
