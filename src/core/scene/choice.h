@@ -1,8 +1,8 @@
-/* The choice of a model: which models take a scene, their promised errors and predicted times.
+/* Choice of a model: candidates for a scene, their promised errors and predicted times.
  *
  * A model applies if it takes every effect of the scene, has no reason against it and reaches the
- * accuracy. Where no model with a proven bound does, a model may apply to the scene without some
- * effects, if those provably change little enough. The cheapest that applies is chosen. */
+ * accuracy. If no model with a proven bound applies, a model may apply to the scene without some
+ * effects, if these provably change little enough. The cheapest applicable model is chosen. */
 #ifndef ROT_CHOICE_H
 #define ROT_CHOICE_H
 

@@ -1,5 +1,5 @@
-/* Scenes of any constraint that builds them, by its table (engine/model.h): run by the cheapest
- * model that reaches the accuracy. */
+/* Runs of scenes of any constraint, by its table (engine/model.h): the cheapest model that reaches
+ * the accuracy. */
 #ifndef ROT_RUN_H
 #define ROT_RUN_H
 
