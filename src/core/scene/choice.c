@@ -15,7 +15,7 @@
 #include "scene/pivot/models.h"
 #include "scene/shaft/models.h"
 
-/* Every constraint, a line each. */
+/* All constraints. */
 static const rot_constraint *const constraints[] = {
     &rot_axle_constraint,  &rot_shaft_constraint,   &rot_clutch_constraint,
     &rot_drive_constraint, &rot_incline_constraint, &rot_free_constraint,
@@ -43,7 +43,8 @@ const rot_model *rot_choice_model(const rot_constraint *constraint, const char *
 
 /* ---- one model ------------------------------------------------------------------------------- */
 
-/* Without dropping anything. A comparison with a NaN accuracy is false: nothing reaches it. */
+/* (model, scene, effects) => candidate, without dropping effects. A NaN accuracy compares false: no
+ * model reaches it. */
 static void judge(const rot_constraint *constraint, const rot_model *model, unsigned effects,
                   const void *scene, const rot_query *query, rot_candidate *out) {
   out->model = model;
@@ -93,7 +94,8 @@ void rot_choice_judge(const rot_constraint *constraint, const rot_model *model, 
 
 /* ---- all models ------------------------------------------------------------------------------ */
 
-/* All without dropping anything, in the order of the list; whether a proven bound is among them. */
+/* scene => candidates in the order of the table, without dropping effects; returns 1 if a model
+ * with a proven bound applies. */
 static int judge_all(const rot_constraint *constraint, const void *scene, const rot_query *query,
                      rot_candidate out[]) {
   const unsigned effects = constraint->effects_of(scene);
@@ -110,7 +112,7 @@ static int judge_all(const rot_constraint *constraint, const void *scene, const 
   return bounded;
 }
 
-/* order[k] is the k-th cheapest; equal costs, and NaN, stay in the order of the list. */
+/* order[k]: index of the k-th cheapest; equal and NaN costs keep the order of the table. */
 static void order_by_cost(size_t n, const rot_candidate c[], size_t order[]) {
   for (size_t i = 0; i < n; i++) {
     size_t j = i;

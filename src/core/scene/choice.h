@@ -1,46 +1,52 @@
-/* The choice of a model: which models take a scene, their promised errors and predicted times.
+/* Choice of a model: candidates for a scene, their promised errors and predicted times.
  *
  * A model applies if it takes every effect of the scene, has no reason against it and reaches the
- * accuracy. Where no model with a proven bound does, a model may apply to the scene without some
- * effects, if those provably change little enough. The cheapest that applies is chosen. */
+ * accuracy. If no model with a proven bound applies, a model may apply to the scene without some
+ * effects, if these provably change little enough. The cheapest applicable model is chosen. */
 #ifndef ROT_CHOICE_H
 #define ROT_CHOICE_H
 
 #include "engine/model.h"
 
+/* The judgement of one model on one scene. */
 typedef struct rot_candidate {
   const rot_model *model;
-  int applies;
-  unsigned untaken;    /* effects that it does not take */
-  int dropped;         /* it can run without these */
-  rot_drop drop;       /* set where it was worth a try */
+  int applies;         /* 0 or 1 */
+  unsigned untaken;    /* mask of the effects that the model does not take */
+  int dropped;         /* 1: the model applies without the untaken effects */
+  rot_drop drop;       /* error of dropping them; error Inf: not evaluated */
   const char *why_not; /* the model's own reason, or NULL */
-  double error;        /* relative, promised */
+  double error;        /* promised, relative */
   double cost_s;       /* predicted time */
 } rot_candidate;
 
-/* NULL where there is none of this name. */
+/* id => constraint; NULL: no constraint has this id. */
 const rot_constraint *rot_choice_constraint(const char *id);
+/* => all constraints, their number. */
 const rot_constraint *const *rot_choice_constraints(size_t *n);
+/* (constraint, id) => model; NULL: no model of the constraint has this id. */
 const rot_model *rot_choice_model(const rot_constraint *constraint, const char *id);
 
-/* One model on one scene; effects are dropped if need be. */
+/* (model, scene, query) => candidate; effects are dropped if the model applies only without
+ * them. */
 void rot_choice_judge(const rot_constraint *constraint, const rot_model *model, const void *scene,
                       const rot_query *query, rot_candidate *out);
 
-/* All models of the constraint, cheapest first; models of equal cost as they are listed. */
+/* (scene, query) => all models of the constraint, ascending by cost (equal costs: in the order of
+ * the table); their number. */
 size_t rot_choice_candidates(const rot_constraint *constraint, const void *scene,
                              const rot_query *query, rot_candidate out[ROT_MAX_MODELS]);
 
-/* The models to run, cheapest first: those on trial that cost less than the first that is not, and
- * that one. 0: none applies. */
+/* (scene, query) => the models to run, ascending by cost; their number (0: no model applies). These
+ * are the cheapest applicable model that is not on trial, and the cheaper ones on trial. */
 size_t rot_choice_pick(const rot_constraint *constraint, const void *scene, const rot_query *query,
                        rot_candidate out[ROT_MAX_MODELS]);
 
-/* Text of at most size - 1 characters. Effects: "a, b and c". Reason: why it does not apply, or
- * what was dropped; empty where it takes the scene unchanged. */
+/* mask of effects => text "a, b and c", of at most size - 1 characters. */
 void rot_choice_effects(const rot_constraint *constraint, unsigned effects, size_t size,
                         char text[]);
+/* candidate => why it does not apply, or which effects were dropped; "" if it takes the scene
+ * unchanged. At most size - 1 characters. */
 void rot_choice_reason(const rot_constraint *constraint, const rot_candidate *candidate,
                        size_t size, char text[]);
 

@@ -10,7 +10,7 @@
 #include "scene/drive/inputs.h"
 #include "scene/free/parts.h"
 
-/* The lists of their folders. */
+/* Number of lists of parts, one per folder. */
 enum { LISTS = 7 };
 
 static const rot_part *list_at(size_t k, size_t *n) {

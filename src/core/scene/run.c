@@ -57,12 +57,13 @@ typedef struct job {
   const rot_constraint *constraint;
   const void *scene;
   const rot_hooks *hooks;
-  void *column[ROT_MAX_COLUMNS]; /* all of them */
-  void *memory;                  /* of those that the caller does not want */
-  rot_rows rows;                 /* but for the events */
+  void *column[ROT_MAX_COLUMNS]; /* every column of the constraint */
+  void *memory;                  /* of the columns that the caller does not want */
+  rot_rows rows;                 /* without the events */
 } job;
 
-/* `want`: what the caller has room for, or NULL. */
+/* (times, want) => pointers to all columns; those missing in `want` (or all, want NULL) are
+ * allocated. */
 static rot_status open_columns(job *j, size_t n_times, const rot_rows *want) {
   const rot_constraint *c = j->constraint;
   void *const *column = want ? want->column : NULL;
@@ -72,7 +73,7 @@ static rot_status open_columns(job *j, size_t n_times, const rot_rows *want) {
   size_t missing = 0;
   for (size_t i = 0; i < c->n_columns; i++) {
     j->column[i] = column ? column[i] : NULL;
-    /* Where the constraint itself knows which columns there are, it writes no other. */
+    /* A constraint with its own shows() writes no other columns. */
     lacks[i] = !j->column[i] && (!c->shows || rot_run_shows(c, j->scene, effects, i));
     missing += (size_t)lacks[i];
   }
@@ -103,7 +104,8 @@ static rot_status run_model(const job *j, const rot_model *model, const rot_task
   return run->run(j->scene, task, run->method, &rows, j->hooks, info);
 }
 
-/* Sums are quick, and finite where all values are. */
+/* 1 if a shown column contains Inf. The sum is tested first: it is cheap, and finite if all values
+ * are. */
 static int beyond_doubles(const job *j, unsigned effects, size_t n) {
   for (size_t i = 0; i < j->constraint->n_columns; i++) {
     const rot_column_of *column = &j->constraint->columns[i];
@@ -121,25 +123,25 @@ static int beyond_doubles(const job *j, unsigned effects, size_t n) {
 
 /* ---- the sizes of the motion ----------------------------------------------------------------- */
 
-enum { ON_THE_DIRECTION = 256 };
+enum { SAMPLES = 256 };
 
-/* A closed form knows the largest values of the rows alone. More times, unevenly spaced, so that no
- * period of the motion hides what is larger between them. */
-static void measure_on_the_direction(const job *j, const rot_model *model, const rot_task *task,
-                                     rot_info *info) {
+/* Closed forms record the largest values at the rows only. Evaluates more times, unevenly spaced so
+ * that no period of the motion hides larger values. */
+static void measure_between_rows(const job *j, const rot_model *model, const rot_task *task,
+                                 rot_info *info) {
   const double start = j->constraint->start_s(j->scene);
   const double from = fmin(start, task->time_s[0]);
   const double to = fmax(start, task->time_s[task->n - 1]);
-  double time_s[ON_THE_DIRECTION];
+  double time_s[SAMPLES];
   rot_task more = *task;
   rot_events events = {0};
   rot_info seen;
   job own = *j;
-  for (int i = 0; i < ON_THE_DIRECTION; i++) {
+  for (int i = 0; i < SAMPLES; i++) {
     time_s[i] = from + (to - from) * fmod((i + 1) * 0.6180339887498949, 1.0);
   }
-  rot_sort(ON_THE_DIRECTION, time_s);
-  more.n = ON_THE_DIRECTION;
+  rot_sort(SAMPLES, time_s);
+  more.n = SAMPLES;
   more.time_s = time_s;
   if (open_columns(&own, more.n, NULL) != ROT_OK) return;
   if (run_model(&own, model, &more, &events, &seen) == ROT_OK) {
@@ -153,6 +155,7 @@ static void measure_on_the_direction(const job *j, const rot_model *model, const
 
 /* ---- choose and run -------------------------------------------------------------------------- */
 
+/* (candidate, task) => rows, outcome: errors of the run and of dropped effects, largest values. */
 static void run_candidate(const job *j, const rot_candidate *c, const rot_task *task, int asked,
                           rot_outcome *out) {
   const rot_constraint *constraint = j->constraint;
@@ -165,7 +168,7 @@ static void run_candidate(const job *j, const rot_candidate *c, const rot_task *
   out->model = c->model;
   rot_info_clear(&out->info, constraint->measures);
   out->info.status = run_model(j, c->model, &own, &out->events, &out->info);
-  /* One integrator may switch to the other. */
+  /* An integrator may switch to another method: report the model of that method. */
   for (size_t i = 0; i < constraint->n_models && out->info.method != ROT_METHOD_NONE; i++) {
     if (constraint->runs[i].method == out->info.method) out->model = &constraint->models[i];
   }
@@ -179,7 +182,7 @@ static void run_candidate(const job *j, const rot_candidate *c, const rot_task *
     out->error = INFINITY;
   } else if (task->n && c->model->error_kind != ROT_ADAPTIVE && isfinite(out->error) &&
              (out->error > 1e-13 || out->error > task->accuracy)) {
-    measure_on_the_direction(j, c->model, &own, &out->info);
+    measure_between_rows(j, c->model, &own, &out->info);
     out->error = rot_info_error(&out->info);
   }
 }
@@ -228,7 +231,8 @@ rot_run_end rot_run(const rot_constraint *constraint, const void *scene, const c
 
 /* ---- balances -------------------------------------------------------------------------------- */
 
-/* Adds how far each balance moves where *x is off by `error`. */
+/* (term, value *x, its error) => explained[] += change of each balance when *x changes by
+ * `error`. */
 static void add_moved(const rot_constraint *c, const void *scene, const rot_span *span,
                       const double term[], double *x, double error, double explained[]) {
   double moved[ROT_MAX_TERMS], by[ROT_MAX_BALANCES] = {0.0};
@@ -243,8 +247,8 @@ static void add_moved(const rot_constraint *c, const void *scene, const rot_span
   for (size_t b = 0; b < c->n_balances; b++) explained[b] += fabs(by[b]);
 }
 
-/* An error that is an estimate holds in 95 of 100 motions; of 300 stiff chains one was off by 1.9
- * times what it explained. */
+/* Factor on estimated errors: they hold in 95 of 100 motions. Of 300 stiff chains the residual of
+ * one was 1.9 times its estimate. */
 enum { EXPLAINS = 2 };
 
 rot_status rot_run_audit(const rot_constraint *c, const void *scene, const rot_span *span,

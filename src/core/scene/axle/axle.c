@@ -8,10 +8,10 @@
 /* With z = c s/I, the torque a at the start of the step and b at its end,
  *
  *   omega  = omega0 phi0 + (s a/I) g1 + (s b/I) phi2
- *   dtheta = s (omega0 phi1 + (s a/I)(phi2 - phi3) + (s b/I) phi3):
+ *   dtheta = s (omega0 phi1 + (s a/I)(phi2 - phi3) + (s b/I) phi3).
  *
- * weights at the ends, all positive: nothing cancels under a torque of one sign. From z = 3 the
- * same terms are divided by c instead of I, which keeps their digits where z^2 would overflow. */
+ * All weights are positive: no cancellation under a torque of one sign. From z = 3 on, the same
+ * terms are divided by c instead of I: they keep their digits where z^2 would overflow. */
 double rot_axle_rounding(const rot_axle_params *p) {
   return (p->viscous_n_m_s >= 0.0 ? 12.0 : 24.0) * ROT_EPS;
 }
@@ -24,11 +24,13 @@ rot_axle_state rot_axle_start(const rot_axle_params *p) {
   return state;
 }
 
-/* Three terms of omega, three of theta, and the factors by which the state at the start counts. */
+/* Terms of a step. */
 typedef struct step_terms {
-  double omega[3], theta[3], decay, reach;
+  double omega[3], theta[3]; /* from omega0, a, b */
+  double decay, reach;       /* factors of an error of omega0: in omega, in theta */
 } step_terms;
 
+/* (state, terms) => state after the step, its bounds. */
 static rot_axle_state add_terms(const rot_axle_params *p, const rot_axle_state *from,
                                 const step_terms *terms, double time_s) {
   const double *w = terms->omega, *h = terms->theta;
@@ -50,12 +52,13 @@ static rot_axle_state add_terms(const rot_axle_params *p, const rot_axle_state *
   return to;
 }
 
+/* Weights by phi functions (z < 3), or divided by c. */
 rot_axle_state rot_axle_step(const rot_axle_params *p, const rot_axle_state *from,
                              const rot_torque_piece *piece, double time_s) {
   const double I = p->inertia_kg_m2, c = p->viscous_n_m_s, w0 = from->omega_rad_per_s;
   const double a = rot_torque_in_piece(piece, from->time_s), b = rot_torque_in_piece(piece, time_s);
   double s_lo, s = rot_two_sum(time_s, -from->time_s, &s_lo);
-  if (s == 0.0 || (w0 == 0.0 && a == 0.0 && b == 0.0)) { /* at rest: even where exp(-z) is Inf */
+  if (s == 0.0 || (w0 == 0.0 && a == 0.0 && b == 0.0)) { /* stays at rest, also if exp(-z) is Inf */
     rot_axle_state same = *from;
     same.time_s = time_s;
     return same;

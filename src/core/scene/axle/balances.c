@@ -7,7 +7,7 @@
 #include "ground/real.h"
 #include "scene/axle/inputs.h"
 
-/* ---- energy that is stored ------------------------------------------------------------------- */
+/* ---- potential energy ------------------------------------------------------------------------ */
 
 static int stores(const rot_term *term) {
   return term->kind == ROT_TERM_SPRING || term->kind == ROT_TERM_GRAVITY;
@@ -17,7 +17,7 @@ static int always(const rot_term *term) {
   return term->from_s == -INFINITY && term->to_s == INFINITY;
 }
 
-/* How many terms have a potential energy; none where one of them does not act at all times. */
+/* Number of terms with a potential energy; 0 if one of them does not act at all times. */
 static size_t count_stores(const rot_axle_scene *scene) {
   size_t n = 0;
   for (size_t i = 0; i < scene->n_terms; i++) {
@@ -29,14 +29,14 @@ static size_t count_stores(const rot_axle_scene *scene) {
   return n;
 }
 
-/* Where gravity pulls up, it rests half a turn further. */
+/* Rest angle of a term; half a turn further if gravity pulls up. */
 static double rest_angle(const rot_term *term) {
   const int up = term->kind == ROT_TERM_GRAVITY && term->x[0] < 0.0;
   return term->x[1] + (up ? 3.141592653589793 : 0.0);
 }
 
-/* Its change between two angles that are off by `error`, and what explains it. A product keeps the
- * digits of a small change of a large energy. */
+/* (two angles, their errors) => change of the potential energy, its error. As a product: a small
+ * change of a large energy keeps its digits. */
 static double potential_change(const rot_axle_scene *scene, const double theta[2],
                                const double error[2], double *explained) {
   double change = 0.0;
@@ -67,7 +67,7 @@ static int knots_push(const rot_torque *knots) {
   return acts;
 }
 
-/* Whether a torque acts beside `terms` of them. */
+/* 1 if a torque other than `terms` of the terms acts, else 0. */
 static int pushes(const rot_axle_scene *scene, size_t terms) {
   const rot_torque *torque = &scene->linear.torque;
   return knots_push(torque) || torque->call || scene->motor_n_m_s != 0.0 || scene->n_terms > terms;
@@ -124,12 +124,13 @@ const char *rot_axle_term_words(const void *built, size_t term) {
   }
 }
 
-/* What the balances take from two rows. */
+/* Data of two rows for the balances. */
 typedef struct ends {
   double theta[2], theta_error[2], omega[2], omega_error[2], inertia[2];
   double potential, potential_explained;
 } ends;
 
+/* two rows => data; inertia after a jump at a row. */
 static ends ends_of(const rot_axle_built *axle, const rot_span *span) {
   const rot_axle_scene *scene = &axle->scene;
   ends e = {.potential = 0.0};
@@ -150,7 +151,7 @@ static ends ends_of(const rot_axle_built *axle, const rot_span *span) {
   return e;
 }
 
-/* Changes as products: a small one of a large energy keeps its digits. */
+/* Changes as products: a small change of a large energy keeps its digits. */
 static double kinetic_change(double inertia, const double omega[2]) {
   return 0.5 * inertia * (omega[1] - omega[0]) * (omega[1] + omega[0]);
 }
@@ -161,6 +162,7 @@ static double kinetic(const ends *e) {
                 e->inertia[0] * (e->omega[0] * e->omega[0]));
 }
 
+/* Terms in the order of the enum above. */
 void rot_axle_audit(const void *built, const rot_span *span, double term[]) {
   const rot_axle_built *axle = built;
   const rot_axle_scene *scene = &axle->scene;
@@ -168,7 +170,8 @@ void rot_axle_audit(const void *built, const rot_span *span, double term[]) {
   const ends e = ends_of(axle, span);
   const size_t springs = count_stores(scene);
   double work = flow[ROT_AXLE_FLOW_WORK];
-  /* What springs and gravity do is the change of their energy: the rest is the work of others. */
+  /* Work of other torques: without that of springs and gravity, which is the change of their
+   * energy. */
   if (springs) work = pushes(scene, springs) ? work + e.potential : 0.0;
   const int linear = scene->quadratic_n_m_s2 == 0.0 && scene->static_n_m == 0.0;
   const double value[ROT_AXLE_TERMS] = {
@@ -190,7 +193,7 @@ void rot_axle_audit(const void *built, const rot_span *span, double term[]) {
   memcpy(term, value, sizeof value);
 }
 
-/* The flows' own errors, those of the state at both ends, and the rounding of what is added. */
+/* From the errors of the flows, of the state at both rows, and the rounding of the sums. */
 void rot_axle_explain(const void *built, const rot_span *span, const double term[],
                       double explained[]) {
   const rot_axle_built *axle = built;
@@ -218,11 +221,11 @@ void rot_axle_explain(const void *built, const rot_span *span, const double term
   explained[MOMENTUM] = momentum;
 }
 
-/* ---- what is conserved ----------------------------------------------------------------------- */
+/* ---- conserved quantities -------------------------------------------------------------------- */
 
-/* Springs and gravity keep the energy, kinetic and potential, unless they act for a time only. Of
- * gears, a curve and dry friction stand for their loss; on a pulley gravity stores what the weights
- * do. */
+/* Springs and gravity conserve the sum of kinetic and potential energy if they act at all times. A
+ * curve and dry friction represent losses of gears; on a pulley, gravity stores the work of the
+ * weights. */
 size_t rot_axle_conserved(const void *built, size_t balance, const char *why[]) {
   const rot_axle_built *axle = built;
   const rot_axle_scene *scene = &axle->scene;

@@ -10,27 +10,26 @@
 #include "ground/real.h"
 #include "ground/search.h"
 
-/* The motion is a chain of segments. In a segment the body is held, or it moves within one band of
+/* The motion is a sequence of segments. In a segment the body is held, or moves in one band of
  * speed and one piece of the knots' torque, where the law is linear:
  *
  *   I v' = a + (b - a) s/span - c v,   v = omega - ref,
  *
- * with c the viscous coefficient less the slope of the curve. The segment ends where v reaches an
- * edge of the band, where the piece ends, or where a torque breaks the body loose. Each segment
- * starts from the last one's end, and enter_segment() decides from the torque there which segment
- * it is. */
+ * c: viscous coefficient minus slope of the curve. A segment ends where v reaches an edge of the
+ * band, where the piece ends, or where a torque breaks the body loose. Each segment starts at the
+ * end of the previous one; enter_segment() selects its kind by the torque there. */
 
 /* ---- bands ---------------------------------------------------------------------------------- */
 
-/* Rates are counted from `ref`, an edge of the band: a steep curve far from rest would lose its
- * digits in the torque that its line has at omega = 0. */
+/* A band. Rates are relative to `ref`, an edge of the band: the torque of a steep curve,
+ * extrapolated from far to omega = 0, would lose its digits. */
 typedef struct band {
-  double lower, upper, ref;
-  double torque_ref, torque_off; /* of the curve at ref, and its error */
-  double slope, slope_off;       /* of the curve */
+  double lower, upper, ref;      /* rad/s */
+  double torque_ref, torque_off; /* of the curve at ref; its error */
+  double slope, slope_off;       /* of the curve; its error */
 } band;
 
-/* The points of the curve; NULL and 0 where there is none. */
+/* scene => points of the curve, their number; NULL and 0: no curve. */
 static const double *speeds_of(const rot_axle_scene *scene, size_t *n) {
   *n = scene->n_terms ? (size_t)scene->terms[0].x[0] : 0;
   return *n ? scene->terms[0].x + 1 : NULL;
@@ -41,7 +40,7 @@ static double curve_at(const rot_axle_scene *scene, double omega) {
   return rot_term_at(&scene->terms[0], scene->linear.start_s, 0.0, 0.0, omega);
 }
 
-/* The band that omega lies in; from an edge, the one that it moves into. */
+/* (omega, heading) => band of omega; on an edge: the band ahead. */
 static band band_of(const rot_axle_scene *scene, double omega, int heading) {
   size_t n;
   const double *speed = speeds_of(scene, &n), *torque = n ? speed + n : NULL;
@@ -78,16 +77,16 @@ static int on_edge(const rot_axle_scene *scene, double omega) {
 /* ---- a motion in one band and one piece ------------------------------------------------------ */
 
 typedef struct segment {
-  const rot_axle_rest *rest; /* its base is where the segment starts */
+  const rot_axle_rest *rest; /* its base: start of the segment */
   band band;
-  rot_axle_params law; /* of v = omega - ref: I, and c less the slope */
+  rot_axle_params law; /* of v = omega - ref: I, c minus slope */
   rot_axle_state from;
-  double push, push_lo; /* the constant torque of the band: curve, resistance at ref, friction */
-  double a, b;          /* torque in the band at the start and at the end */
+  double push, push_lo; /* constant torque of the band: curve, resistance at ref, friction */
+  double a, b;          /* torque in the band at start and end */
   double span_s;
-  int to_end;       /* the span reaches the end of the piece, or of the rows */
+  int to_end;       /* 1: the span reaches the end of the piece or the last row */
   double low, high; /* edges of v */
-  double farthest;  /* the larger of |v| at the base and at its extremum */
+  double farthest;  /* larger one of |v| at the base and at the extremum */
 } segment;
 
 static double push_of(const rot_axle_scene *scene, double omega, double curve, int sign,
@@ -100,7 +99,7 @@ static double push_of(const rot_axle_scene *scene, double omega, double curve, i
   return push;
 }
 
-/* x + push, rounded once. */
+/* x + push with one rounding. */
 static double add_push(double x, double push, double push_lo) {
   double lo, sum = rot_two_sum(x, push, &lo);
   return sum + (lo + push_lo);
@@ -108,19 +107,19 @@ static double add_push(double x, double push, double push_lo) {
 
 static double in_band(const segment *l, double x) { return add_push(x, l->push, l->push_lo); }
 
-/* How much the knots' torque rises in a time, to a few roundings. */
+/* Change of the knots' torque in a time, within a few roundings. */
 static double rise_in(const rot_torque_piece *piece, double time_s) {
   const double rise = piece->end_n_m - piece->start_n_m;
   return rise != 0.0 ? rot_muldiv(rise, time_s, piece->end_s - piece->start_s, NULL) : 0.0;
 }
 
-/* Torque of the knots at the base, whose time is known to twice the precision. */
+/* Torque of the knots at the base, with its time in twice the precision. */
 static double knots_at_base(const rot_axle_rest *rest) {
   const double tau = rot_torque_in_piece(&rest->piece, rest->base.time_s);
   return rest->base.time_lo != 0.0 ? tau + rise_in(&rest->piece, rest->base.time_lo) : tau;
 }
 
-/* The sign of the net torque at the base's time and at a speed, or that to come where it is 0. */
+/* Sign of the net torque at the time of the base and a speed; if 0: sign of its change. */
 static int heading_at(const rot_axle_rest *rest, double omega) {
   double lo,
       push = push_of(rest->scene, omega, curve_at(rest->scene, omega), omega > 0.0 ? 1 : -1, &lo);
@@ -129,9 +128,10 @@ static int heading_at(const rot_axle_rest *rest, double omega) {
   return rest->piece.end_n_m >= rest->piece.start_n_m ? 1 : -1;
 }
 
-/* Steps are so short that exp(c s/|I|) stays in range where c < 0. */
-enum { MAX_PROPAGATION = 200 };
+/* Limit of |c| s/I in a step for c < 0: exp() does not overflow. */
+enum { MAX_EXPONENT = 200 };
 
+/* (base, heading) => segment: band, law, torques, span. */
 static segment segment_from(const rot_axle_rest *rest, int heading) {
   const rot_axle_base *base = &rest->base;
   const rot_torque_piece *piece = &rest->piece;
@@ -146,7 +146,7 @@ static segment segment_from(const rot_axle_rest *rest, int heading) {
   l.from.omega_rad_per_s = rot_two_sum(base->omega, -l.band.ref, &l.from.omega_lo);
   l.from.omega_error = base->omega_error;
   l.a = in_band(&l, knots_at_base(rest));
-  if (base->omega == 0.0) { /* no rounding may reverse it */
+  if (base->omega == 0.0) { /* from rest: rounding must not reverse it */
     l.a = heading > 0 ? fmax(l.a, 0.0) : fmin(l.a, 0.0);
   }
   l.b = in_band(&l, rot_torque_in_piece(piece, end_s));
@@ -156,8 +156,8 @@ static segment segment_from(const rot_axle_rest *rest, int heading) {
   l.high = l.band.upper - l.band.ref;
   const double I = l.law.inertia_kg_m2, c = l.law.viscous_n_m_s;
   const int moves = l.from.omega_rad_per_s != 0.0 || l.a != 0.0 || l.b != 0.0;
-  if (c < 0.0 && moves && rot_muldiv(-c, l.span_s, I, NULL) > MAX_PROPAGATION) {
-    const double shorter = rot_muldiv(MAX_PROPAGATION, I, -c, NULL);
+  if (c < 0.0 && moves && rot_muldiv(-c, l.span_s, I, NULL) > MAX_EXPONENT) {
+    const double shorter = rot_muldiv(MAX_EXPONENT, I, -c, NULL);
     l.b = l.a + (l.b - l.a) * (shorter / l.span_s);
     l.span_s = shorter;
     l.to_end = 0;
@@ -165,7 +165,7 @@ static segment segment_from(const rot_axle_rest *rest, int heading) {
   return l;
 }
 
-/* v after s, the torque there being b. Absolute times where they are exact: one residual less. */
+/* v after s with the torque b there. Exact absolute times avoid one residual. */
 static rot_axle_state segment_state(const segment *l, double from_s, double to_s, double b) {
   const rot_torque_piece piece = {from_s, to_s, l->a, b};
   rot_axle_state from = l->from;
@@ -182,17 +182,18 @@ static rot_axle_state segment_after(const segment *l, double s) {
   return segment_state(l, 0.0, s, torque_after(l, s));
 }
 
-/* Error of omega after s for an error x of the torque: x (s/I) phi1. */
+/* Error of omega after s due to an error x of the torque: x (s/I) phi1. */
 static double response(const segment *l, double x, double s) {
   const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s;
-  if (!(x > 0.0 && s > 0.0)) return x * s; /* 0, or NaN */
+  if (!(x > 0.0 && s > 0.0)) return x * s; /* 0 or NaN */
   const double z = rot_muldiv(c, s, I, NULL);
   if (z > 1.0) return x / c;
   return rot_product(3, (double[]){x, s, z != 0.0 ? -expm1(-z) / z : 1.0}, I);
 }
 
-/* Adds what rot_axle_step() does not count: the roundings of its coefficients and, with
- * `inexact_s`, of s. v keeps its sign in a band, so |theta of v| is the integral of |v|. */
+/* state v after s => change from the base. Adds errors not included in rot_axle_step(): rounding of
+ * its coefficients and, with inexact_s, of s. v has one sign in a band: |theta of v| is the
+ * integral of |v|. */
 static rot_axle_change segment_change(const segment *l, const rot_axle_state *v, double s, double b,
                                       int inexact_s) {
   const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s;
@@ -208,7 +209,7 @@ static rot_axle_change segment_change(const segment *l, const rot_axle_state *v,
     wrong += response(l, off_c * fmax(l->farthest, fabs(v->omega_rad_per_s)), s);
     turned_off += response(l, off_c * fabs(v->theta_rad), s);
   }
-  if (inexact_s) { /* by the rate at the end */
+  if (inexact_s) { /* by the net torque at the end */
     const double net = fabs(b - c * v->omega_rad_per_s);
     wrong += 2.0 * ROT_EPS * rot_muldiv(net, s, I, NULL);
     turned_off += 2.0 * ROT_EPS * fabs(v->omega_rad_per_s * s);
@@ -223,19 +224,19 @@ static rot_axle_change segment_change(const segment *l, const rot_axle_state *v,
   return out;
 }
 
-/* ---- where a segment ends -----------------------------------------------------------------------
- * */
+/* ---- end of a segment ------------------------------------------------------------------------ */
 
-/* Where v leaves the band: AGAINST its heading, by the edge that it starts from. */
+/* How v leaves the band. AGAINST: by the edge it starts from. */
 typedef enum exit_side { NOWHERE, BELOW, ABOVE, AGAINST } exit_side;
 
 typedef struct exit_point {
-  double s; /* when; the segment's span where it does not */
+  double s; /* time since the base; the span if v does not leave */
   exit_side side;
-  double peak; /* an extremum of v on the way, or v at the start */
+  double peak; /* extremum of v before it, or v at the start */
 } exit_point;
 
-/* x log1p(y)/y with y = x c/I: the time in which a linear law does what a constant one does in x */
+/* x log1p(y)/y with y = x c/I: time of a linear law for the change that a constant one makes in
+ * x. */
 static double linear_time(const segment *l, double x, double sign) {
   const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s;
   double y = sign * rot_muldiv(x, c, I, NULL);
@@ -245,7 +246,7 @@ static double linear_time(const segment *l, double x, double sign) {
   return sign * rot_muldiv(log1p(y), I, c, NULL);
 }
 
-/* When omega' passes through 0; it does so at most once. */
+/* Time at which omega' is 0; there is at most one. */
 static double extremum(const segment *l) {
   const double c = l->law.viscous_n_m_s, v0 = l->from.omega_rad_per_s;
   const double net = l->a - c * v0, rise = l->b - l->a;
@@ -253,8 +254,8 @@ static double extremum(const segment *l) {
   return linear_time(l, rot_muldiv(-net, l->span_s, rise, NULL), 1.0);
 }
 
-/* The net torque, I v', after s: without the difference between b and c v, which is rounding
- * alone once v has settled. */
+/* Net torque I v' after s, without the difference b - c v, which is pure rounding once v has
+ * settled. */
 static double net_after(const segment *l, double s) {
   const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s;
   const double z = rot_muldiv(c, s, I, NULL), rise = torque_after(l, s) - l->a;
@@ -262,28 +263,28 @@ static double net_after(const segment *l, double s) {
   return (l->a - c * l->from.omega_rad_per_s) * exp(-z) + (rise != 0.0 ? rise * spread : 0.0);
 }
 
-/* When v would be at the level if the torque stayed as it is: exact where it does. */
+/* Time at which v reaches the level under the present torque; exact if it is constant. */
 static double first_guess(const segment *l, double level) {
   const double I = l->law.inertia_kg_m2, c = l->law.viscous_n_m_s, v0 = l->from.omega_rad_per_s;
   const double now = l->a - c * v0, then = l->a - c * level;
-  /* Near -1 the argument of log1p() loses its digits: plus 1 it is then/now. */
+  /* An argument of log1p() near -1 loses its digits; 1 + argument is then/now. */
   if (c > 0.0 && then / now < 0.5 && then / now > 0.0) {
     return rot_muldiv(log(now / then), I, c, NULL);
   }
   return linear_time(l, rot_muldiv(I, level - v0, now, NULL), -1.0);
 }
 
-/* v(s) = level, s between two times where v - level has both signs: Newton's steps inside the
- * bracket, else its middle, or a fraction of it where it begins at 0. */
+/* Solves v(s) = level in a bracket where v - level changes its sign: Newton's steps inside the
+ * bracket, else bisection, geometric or by a fixed factor if the bracket starts at 0. */
 static double when_at(const segment *l, double level, double s_lo, double s_hi, int rising) {
   segment alone = *l;
   double s = first_guess(l, level);
-  alone.from.omega_error = 0.0; /* so that omega_error is what this step rounds */
+  alone.from.omega_error = 0.0; /* omega_error: rounding of this step only */
   if (!(s > s_lo && s < s_hi)) s = 0.5 * (s_lo + s_hi);
   for (int i = 0; i < 300; i++) {
     const rot_axle_state at = segment_after(&alone, s);
     const double f = (at.omega_rad_per_s - level) + at.omega_lo;
-    /* In the end f is rounding alone. */
+    /* Finally f is pure rounding. */
     if (f == 0.0 || (i > 8 && fabs(f) <= at.omega_error)) return s;
     if ((f > 0.0) == rising) {
       s_hi = s;
@@ -303,8 +304,8 @@ static double when_at(const segment *l, double level, double s_lo, double s_hi, 
   return s;
 }
 
-/* v is monotonic on [s0, s1] => whether and when it crosses an edge. A start on an edge counts as a
- * crossing only beyond the error of the step. */
+/* v monotonic on [s0, s1] => 1 if it crosses an edge, time. A start on an edge counts as a crossing
+ * only beyond the error of the step. */
 static int leaves(const segment *l, double s0, double v0, double s1, const rot_axle_state *to,
                   int touching, exit_point *out) {
   const double v1 = to->omega_rad_per_s;
@@ -324,8 +325,8 @@ static int leaves(const segment *l, double s0, double v0, double s1, const rot_a
   return 1;
 }
 
-/* On a line so steep that v settles within its error of an edge, the torque on the edge, which the
- * curve gives exactly, decides whether it gets there. */
+/* A line so steep that v settles within its error of an edge: the torque on the edge, which is
+ * exact, decides whether v reaches it. */
 static void look_past_edge(const segment *l, double s0, double v, const rot_axle_state *end,
                            exit_point *out) {
   if (l->band.slope == 0.0) return;
@@ -359,21 +360,21 @@ static exit_point exit_of(const segment *l) {
   return out;
 }
 
-/* ---- the segments -------------------------------------------------------------------------------
- * */
+/* ---- segments -------------------------------------------------------------------------------- */
 
-/* A segment is a motion in one band, or a hold at rest. */
+/* State of a run: a segment, which is a motion in one band, or a hold at rest. */
 typedef struct bands_run {
   rot_axle_rest rest;
-  size_t segments; /* in this piece */
-  int held;
-  segment segment; /* moving: */
-  exit_point to;   /* and where it leaves the band */
-  int slips;       /* held: the direction in which it breaks loose; 0: not in this piece */
-  double slip_s, slip_lo, late_s; /* when, and the error of that */
+  size_t segments;        /* number so far in this piece */
+  int held;               /* 1: hold, 0: motion */
+  segment segment;        /* motion */
+  exit_point to;          /* motion: exit from the band */
+  int slips;              /* hold: direction of breaking loose; 0: not in this piece */
+  double slip_s, slip_lo; /* hold: time of breaking loose */
+  double late_s;          /* hold: error of that time */
 } bands_run;
 
-/* Begins a motion; `heading` counts where it starts on an edge. */
+/* base => motion in its band. heading: used if it starts on an edge. */
 static void begin_motion(bands_run *run, int heading, int slipped) {
   rot_axle_rest *rest = &run->rest;
   segment l = segment_from(rest, heading);
@@ -396,8 +397,8 @@ static void begin_motion(bands_run *run, int heading, int slipped) {
   run->to = to;
 }
 
-/* Begins to move; the errors count what it would gain until the latest time of breaking loose, at
- * most what strong resistance leaves of that. */
+/* End of a hold => motion. Adds to the errors the speed gained until the latest time of breaking
+ * loose, limited by strong resistance. */
 static rot_status break_loose(bands_run *run) {
   rot_axle_rest *rest = &run->rest;
   rot_axle_base *base = &rest->base;
@@ -416,7 +417,7 @@ static rot_status break_loose(bands_run *run) {
   return status;
 }
 
-/* Held from the base on: to the end of the piece, or until the torque exceeds static friction. */
+/* base => hold until the end of the piece, or until the torque exceeds static friction. */
 static rot_status begin_hold(bands_run *run) {
   rot_axle_rest *rest = &run->rest;
   const rot_torque_piece *piece = &rest->piece;
@@ -438,12 +439,13 @@ static rot_status begin_hold(bands_run *run) {
   return now > 0.0 ? ROT_OK : break_loose(run);
 }
 
+/* base => hold or motion by the torque there, events. */
 static rot_status enter_segment(bands_run *run) {
   rot_axle_rest *rest = &run->rest;
   const rot_axle_scene *scene = rest->scene;
   const rot_axle_base *base = &rest->base;
-  /* omega turns once in a piece where rest does not interfere, and once more for each stop: each
-   * edge is met a few times at most. */
+  /* Limit of the number of segments: omega' changes its sign once per piece without rest, and once
+   * more per stop; each edge is reached a few times at most. */
   size_t n;
   (void)speeds_of(scene, &n);
   if (rot_axle_rest_enter(rest)) run->segments = 0;
@@ -479,6 +481,7 @@ static int holds(const void *model, double time_s) {
   return !(rot_axle_rest_elapsed(&run->rest, time_s, &lo) >= run->to.s);
 }
 
+/* Row i, moving or held. */
 static rot_status write_row(void *model, size_t i) {
   bands_run *run = model;
   rot_axle_rest *rest = &run->rest;
@@ -497,17 +500,18 @@ static rot_status write_row(void *model, size_t i) {
                            rot_axle_scene_applied(rest->scene, t, base->theta, 0.0, row.omega));
 }
 
-/* Error of the time of a stop, from that of omega: by the net torque or, where the torques balance
- * there, by its rate of change. */
+/* Error of the time of a stop, from the error of omega and the net torque; if the torques balance:
+ * from its rate of change. */
 static double settling_time(const segment *l, double net, double omega_error) {
   const rot_torque_piece *piece = &l->rest->piece;
   const double I = l->law.inertia_kg_m2, rise = fabs(piece->end_n_m - piece->start_n_m);
-  const double time_scales =
+  const double inertia_over_rate =
       rise > 0.0 ? rot_muldiv(I, piece->end_s - piece->start_s, rise, NULL) : (double)INFINITY;
-  return fmin(rot_muldiv(omega_error, I, net, NULL), sqrt(2.0 * omega_error) * sqrt(time_scales));
+  return fmin(rot_muldiv(omega_error, I, net, NULL),
+              sqrt(2.0 * omega_error) * sqrt(inertia_over_rate));
 }
 
-/* The base to the end of the motion: onto the edge, or to the end of the piece. */
+/* motion => base at its end: on the edge, or at the end of the piece. */
 static rot_status finish_motion(bands_run *run) {
   rot_axle_rest *rest = &run->rest;
   rot_axle_base *base = &rest->base;
@@ -521,7 +525,7 @@ static rot_status finish_motion(bands_run *run) {
   double time = rest->piece.end_s, time_lo = 0.0, wanted = end.omega;
   if (to->side != NOWHERE) {
     wanted = to->side == ABOVE ? l->band.upper : l->band.lower;
-  } else { /* roundings do not leave the band */
+  } else { /* rounding must not leave the band */
     wanted = fmin(fmax(wanted, l->band.lower), l->band.upper);
   }
   if (to->side != NOWHERE || !l->to_end) {
@@ -537,6 +541,7 @@ static rot_status finish_motion(bands_run *run) {
   return rot_axle_rest_move(rest, time, time_lo, &end);
 }
 
+/* End of the present segment, next segment. */
 static rot_status next_piece(void *model, double *end_s) {
   bands_run *run = model;
   rot_axle_base *base = &run->rest.base;

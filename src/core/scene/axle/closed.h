@@ -1,4 +1,4 @@
-/* The closed forms of an axle, in the order of its models. */
+/* Closed forms of an axle, in the order of its models. */
 #ifndef ROT_AXLE_CLOSED_H
 #define ROT_AXLE_CLOSED_H
 
@@ -6,7 +6,7 @@
 
 enum { ROT_AXLE_MODELS = 13 };
 
-/* NULL: an integrator. */
+/* Model index => closed form; NULL: an integrator. */
 extern const rot_axle_model rot_axle_forms[ROT_AXLE_MODELS];
 
 #endif

@@ -15,7 +15,7 @@ static int fits(const rot_axle_scene *scene) {
          scene->static_n_m >= scene->coulomb_n_m;
 }
 
-/* The law for motion in a direction, mirrored where that is backward. */
+/* Law of a motion in a direction; mirrored if backward. */
 static rot_drag_law law_towards(const rot_axle_scene *scene, double torque, int direction) {
   rot_drag_law law = {0.0, 0.0, scene->linear.viscous_n_m_s, scene->quadratic_n_m_s2,
                       scene->linear.inertia_kg_m2};
@@ -23,16 +23,16 @@ static rot_drag_law law_towards(const rot_axle_scene *scene, double torque, int 
   return law;
 }
 
-/* A segment: held to the end of the piece, or moving up to there or to the stop. */
+/* State of a run: held until the end of the piece, or moving until that or the stop. */
 typedef struct drag_run {
   rot_axle_rest rest;
-  int held;
+  int held; /* 1: hold, 0: motion */
   rot_drag_law law;
   rot_drag flow;
-  double stop_s; /* after the base */
+  double stop_s; /* time of the stop since the base */
 } drag_run;
 
-/* From the base, with its errors carried along. */
+/* time since the base => change, with the propagated errors of the base. */
 static rot_axle_change after(const drag_run *run, double t, double t_lo) {
   const rot_axle_base *base = &run->rest.base;
   const rot_drag_state to = rot_drag_at(&run->flow, t, t_lo);
@@ -46,6 +46,7 @@ static rot_axle_change after(const drag_run *run, double t, double t_lo) {
   return out;
 }
 
+/* base => hold or motion by the torque there, events. */
 static rot_status enter_segment(drag_run *run) {
   rot_axle_rest *rest = &run->rest;
   const rot_axle_base *base = &rest->base;
@@ -90,7 +91,7 @@ static rot_status write_row(void *model, size_t i) {
   return rot_axle_rest_row(rest, i, &to, applied);
 }
 
-/* The base to the stop, or to the end of the piece. */
+/* motion => base at the stop or the end of the piece. */
 static rot_status move(drag_run *run) {
   rot_axle_rest *rest = &run->rest;
   rot_axle_base *base = &rest->base;
@@ -102,7 +103,7 @@ static rot_status move(drag_run *run) {
   }
   rot_axle_change to = after(run, run->stop_s, 0.0);
   const double time = rot_two_sum(base->time_s, run->stop_s, &e), drive = fabs(run->law.drive_n_m);
-  /* The time of the stop is good to 4 roundings, the speed lost meanwhile to as many. */
+  /* Errors of the stop: its time, 4 roundings; the speed lost meanwhile, as many. */
   to.omega_error += 4.0 * ROT_EPS * rot_muldiv(drive, run->stop_s, run->law.inertia_kg_m2, NULL);
   base->settle_s = rot_muldiv(to.omega_error, run->law.inertia_kg_m2, drive, NULL);
   to.theta_error += to.omega_error * base->settle_s;
@@ -110,6 +111,7 @@ static rot_status move(drag_run *run) {
   return rot_axle_rest_move(rest, time, e + base->time_lo, &to);
 }
 
+/* End of the present segment, next segment; ROT_ESTEP if nothing changes. */
 static rot_status next_piece(void *model, double *end_s) {
   drag_run *run = model;
   rot_axle_rest *rest = &run->rest;
@@ -139,6 +141,7 @@ rot_status rot_axle_drag(const rot_axle_scene *scene, size_t n, const double tim
   return info->status;
 }
 
+/* Steps through the pieces without rows. */
 rot_status rot_axle_drag_stop(const rot_axle_scene *scene, double *time_s, double *theta_rad) {
   rot_info info;
   rot_events events = {0};

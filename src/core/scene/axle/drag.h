@@ -1,25 +1,25 @@
-/* Fixed axle, piecewise-constant torque, viscous, quadratic and dry resistance together:
+/* Fixed axle, piecewise-constant torque with viscous, quadratic and dry resistance:
  *
- *   I omega' = tau - c omega - q omega |omega| - tau_c sign(omega),
+ *   I omega' = tau - c omega - q omega |omega| - tau_c sign(omega).
  *
- * held at rest while |tau| <= tau_s. Closed forms (maths/drag.h), stops and starts at their
- * times. */
+ * Static contact at rest: |tau| <= tau_s. Closed forms (maths/drag.h), exact times of stops and
+ * starts. */
 #ifndef ROT_AXLE_DRAG_H
 #define ROT_AXLE_DRAG_H
 
 #include "scene/axle/scene.h"
 
-/* A model (scene/axle/scene.h). ROT_EVALUE where a knot's piece is not constant, for anything but
- * knots, motor and resistance, for negative resistance, and for times before the start. */
+/* A model (scene/axle/scene.h). ROT_EVALUE: a piece that is not constant, loads other than knots,
+ * motor and resistance, negative resistance, or times before the start. */
 rot_axle_run rot_axle_drag;
 
-/* When it comes to rest for good, and the angle there. A body at rest from the start has stopped at
- * the start. Inf where it does not, with the angle that it tends to: finite with viscous
- * resistance, infinite with quadratic drag alone, NaN where a speed is left. */
+/* scene => time of the final stop, angle there. At rest from the start: the start. Never: Inf, and
+ * the limit of the angle (finite with viscous resistance, infinite with quadratic drag only, NaN if
+ * a speed remains). */
 rot_status rot_axle_drag_stop(const rot_axle_scene *scene, double *time_s, double *theta_rad);
 
-/* Where omega tends to under the last knot's torque; +-Inf where nothing resists, 0 where friction
- * exceeds the torque. */
+/* scene => limit of omega under the final torque; +-Inf without resistance, 0 if friction exceeds
+ * the torque. */
 double rot_axle_drag_terminal(const rot_axle_scene *scene);
 
 #endif

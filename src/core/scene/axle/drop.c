@@ -19,7 +19,7 @@ static double min_inertia(const rot_axle_scene *scene) {
   return min;
 }
 
-/* Sum over the terms of a kind of size(x). */
+/* Sum of size(x) over the terms of a kind. */
 static double term_sum(const rot_axle_scene *scene, rot_term_kind kind,
                        double (*size)(const double *x)) {
   double sum = 0.0;
@@ -31,10 +31,10 @@ static double term_sum(const rot_axle_scene *scene, rot_term_kind kind,
 
 static double strength(const double *x) { return fabs(x[0]); }
 
-/* A spring of negative stiffness drives the body away from its rest. */
+/* Destabilising stiffness of a spring (negative stiffness), else 0. */
 static double pushing(const double *x) { return fmax(0.0, -x[0]); }
 
-/* The steepest rise of a curve; 0 if it never rises. */
+/* Largest positive slope of a curve; 0: none. */
 static double steepest_rise(const double *x) {
   const size_t n = (size_t)x[0];
   const double *speed = x + 1, *torque = speed + n;
@@ -45,7 +45,7 @@ static double steepest_rise(const double *x) {
   return max;
 }
 
-/* Largest |torque| of the terms that do not depend on the motion, N m. */
+/* Largest |torque| in N m of the loads independent of the motion. */
 static double largest_drive(const rot_axle_scene *scene, double last_s) {
   const rot_torque *torque = &scene->linear.torque;
   double knots = fmax(fabs(torque->before_n_m), fabs(torque->after_n_m)), terms = 0.0;
@@ -68,8 +68,8 @@ static double largest_drive(const rot_axle_scene *scene, double last_s) {
   return torque->call ? INFINITY : knots + terms;
 }
 
-/* Largest growth of a disturbance: exp of the time by the growth rates of torques that depend on
- * the motion. */
+/* Bound of the growth of a disturbance: exp of time times growth rates of the torques that depend
+ * on the motion. */
 static double propagation_bound(const rot_axle_scene *scene, double span) {
   const double inertia = min_inertia(scene);
   const double driven = fmax(0.0, -scene->linear.viscous_n_m_s) / inertia;
@@ -79,10 +79,10 @@ static double propagation_bound(const rot_axle_scene *scene, double span) {
   return exp(span * (driven + rising + sqrt(pulled / inertia)));
 }
 
-/* Largest |omega| by comparison: resistance only brakes; a torque D drives to D/I T or, against
- * viscous resistance c alone, to D/c; a spring or gravity returns no more than its energy. Where
- * the inertia shrinks, I omega is what the torque changes, and each decrease of I can multiply the
- * energy of an oscillation by its ratio (parametric pumping). */
+/* Bound of |omega| by comparison. Resistance only brakes; a torque D drives to at most D/I T or,
+ * with viscous resistance c, to D/c; a spring or gravity returns at most its energy. If the inertia
+ * decreases, the torque changes I omega, and each decrease of I can multiply the energy of an
+ * oscillation by its ratio (parametric pumping). */
 static double largest_omega(const rot_axle_scene *scene, const rot_query *query) {
   const rot_axle_params *p = &scene->linear;
   const double span = time_span(scene, query), inertia = min_inertia(scene);
@@ -108,8 +108,8 @@ static double largest_omega(const rot_axle_scene *scene, const rot_query *query)
 
 /* ---- bounds ---------------------------------------------------------------------------------- */
 
-/* Resistance that grows with omega makes two motions converge, so resistance other than
- * viscous is left out here: |delta omega| <= size/I min(T, I/c), and no more than impulse/I. */
+/* |delta omega| <= size/I min(T, I/c), and at most impulse/I. Resistance that increases with omega
+ * makes two motions converge: all but the viscous one is omitted here. */
 void rot_axle_disturbance(const rot_axle_scene *scene, const rot_query *query, double size_n_m,
                           double impulse_n_m_s, double propagation, double *theta, double *omega) {
   const double span = time_span(scene, query), inertia = min_inertia(scene);
@@ -126,7 +126,7 @@ void rot_axle_disturbance(const rot_axle_scene *scene, const rot_query *query, d
   *theta = *omega * span;
 }
 
-/* The largest torque of an effect whose motion stays within omega and angle. */
+/* Largest torque of an effect for |omega| and |angle| up to these. */
 static double effect_torque(const rot_axle_scene *scene, unsigned effect, double omega,
                             double angle) {
   double sum = 0.0;
@@ -145,6 +145,7 @@ static double effect_torque(const rot_axle_scene *scene, unsigned effect, double
   }
 }
 
+/* Omits terms and resistance by the bits of the mask. */
 rot_axle_scene rot_axle_without(const rot_axle_scene *scene, unsigned effects, rot_term terms[]) {
   rot_axle_scene out = *scene;
   if (effects & ROT_AXLE_VISCOUS) {
@@ -164,7 +165,7 @@ rot_axle_scene rot_axle_without(const rot_axle_scene *scene, unsigned effects, r
 
 enum { ROWS = 65 };
 
-/* Largest |theta| and |omega| of a motion at even times: at most their largest on the way. */
+/* Largest |theta| and |omega| of a motion at evenly spaced times: lower limits of its maxima. */
 static int motion_size(const rot_axle_scene *scene, rot_axle_model model, const rot_query *query,
                        double *theta, double *omega) {
   const double from = fmin(scene->linear.start_s, query->time_s[0]),
@@ -187,6 +188,7 @@ static int motion_size(const rot_axle_scene *scene, rot_axle_model model, const 
 
 static double relative(double bound, double size) { return bound > 0.0 ? bound / size : bound; }
 
+/* (scene, reduced scene) => bounds of the changes, for each effect and relative. */
 static void bound_drop(const rot_axle_scene *scene, const rot_axle_scene *reduced,
                        rot_axle_model model, unsigned effects, const rot_query *query, double worst,
                        rot_drop *drop) {
@@ -200,7 +202,7 @@ static void bound_drop(const rot_axle_scene *scene, const rot_axle_scene *reduce
   if (!isfinite(sum)) return;
   rot_axle_disturbance(reduced, query, sum, INFINITY, NAN, &drop->bound[ROT_THETA],
                        &drop->bound[ROT_OMEGA]);
-  /* The motion is no faster than largest_omega(): a lower bound of the error can save a run. */
+  /* largest_omega() bounds the motion: a lower bound of the relative error can avoid a run. */
   if (drop->bound[ROT_OMEGA] > worst * largest_omega(reduced, query)) return;
   if (!motion_size(reduced, model, query, &theta, &omega)) return;
   drop->error =
@@ -213,6 +215,7 @@ static void bound_drop(const rot_axle_scene *scene, const rot_axle_scene *reduce
   }
 }
 
+/* Tries the bound only forward in time and without static friction above the kinetic one. */
 void rot_axle_drop(const void *of, const rot_model *model, rot_axle_model run, unsigned effects,
                    const rot_query *query, double worst, rot_drop *drop) {
   const rot_axle_scene *scene = of;
@@ -226,8 +229,8 @@ void rot_axle_drop(const void *of, const rot_model *model, rot_axle_model run, u
   }
   const rot_axle_scene reduced = rot_axle_without(scene, effects, terms);
   drop->why_not = model->why_not ? model->why_not(&reduced, query) : NULL;
-  /* Backward, what brakes drives: no bound is tried. Nor where static friction decides: whether a
-   * body at rest sticks can depend on the last digit. */
+  /* Backward in time a brake drives: no bound. Static friction: whether a body at rest sticks can
+   * depend on the last digit: no bound. */
   if (!drop->why_not && query->n && query->time_s[0] >= scene->linear.start_s &&
       reduced.static_n_m <= reduced.coulomb_n_m) {
     bound_drop(scene, &reduced, run, effects, query, worst, drop);

@@ -1,5 +1,6 @@
 #include "scene/axle/effects.h"
 
+/* One bit for each kind of load present. */
 unsigned rot_axle_effects(const rot_axle_scene *scene) {
   const rot_torque *torque = &scene->linear.torque;
   int acts = torque->before_n_m != 0.0 || torque->after_n_m != 0.0, ramp = 0;

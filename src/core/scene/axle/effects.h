@@ -1,10 +1,10 @@
-/* The effects that may act on an axle, as bits of a mask. */
+/* Effects of an axle, as bits of a mask. */
 #ifndef ROT_AXLE_EFFECTS_H
 #define ROT_AXLE_EFFECTS_H
 
 #include "scene/axle/scene.h"
 
-/* code, name, words, whether it may be dropped, what needs no words beside it. The kinds of terms
+/* code, name, words, whether it may be dropped, effects implied by it in texts. The kinds of terms
  * are in the order of rot_term_kind. */
 #define ROT_AXLE_EFFECT_LIST(X)                                                                    \
   X(TORQUE, "torque", "a torque", 0, 0)                                                            \
@@ -36,10 +36,10 @@ enum {
 #undef X
 };
 
-/* Those of a scene. */
+/* scene => mask of its effects. */
 unsigned rot_axle_effects(const rot_axle_scene *scene);
 
-/* What each closed form takes. */
+/* Mask of the effects that each closed form takes. */
 enum {
   ROT_AXLE_LINEAR_TAKES = ROT_AXLE_TORQUE | ROT_AXLE_RAMP | ROT_AXLE_VISCOUS | ROT_AXLE_MOTOR,
   ROT_AXLE_SKATER_TAKES = ROT_AXLE_TORQUE | ROT_AXLE_INERTIA,
@@ -52,7 +52,7 @@ enum {
   ROT_AXLE_BANDS_TAKES = ROT_AXLE_LINEAR_TAKES | ROT_AXLE_CURVE | ROT_AXLE_FRICTION
 };
 
-/* The scene holds no effect but these, and a moment of inertia that a body can have. */
+/* 1 if the scene has only effects of the mask, and a valid moment of inertia; else 0. */
 int rot_axle_fits(const rot_axle_scene *scene, unsigned takes);
 
 #endif

@@ -33,8 +33,8 @@ const char *const rot_axle_flow_names[FLOWS] = {
 
 /* ---- jumps of the inertia -------------------------------------------------------------------- */
 
-/* At a jump the angular momentum stays, the energy does not. Knot i is the first of those at its
- * time; returns whether the inertia jumps there, with its values around the jump. */
+/* Knot i, the first at its time => 1 if the inertia jumps there, and its values around the jump. A
+ * jump conserves the angular momentum, not the energy. */
 static int jump_at(const rot_axle_scene *scene, size_t i, double side[2]) {
   const double *t = scene->inertia_time_s;
   if ((i > 0 && t[i - 1] == t[i]) || i + 1 >= scene->n_inertia || t[i + 1] != t[i]) return 0;
@@ -47,6 +47,7 @@ static double jump_work(double momentum, const double side[2]) {
   return 0.5 * momentum * (momentum / side[1] - momentum / side[0]);
 }
 
+/* Adds the work of each jump at a row or at the start. */
 void rot_axle_flows_jumps(const rot_axle_scene *scene, size_t n, const double time_s[],
                           const double momentum[], const rot_axle_flows *flows) {
   const double start = scene->linear.start_s;
@@ -76,7 +77,7 @@ typedef struct work {
   rot_store store;
 } work;
 
-/* Rows at n times that do not decrease. The memory of its columns is the caller's. */
+/* n times, not decreasing => rows, by the closed form and all torques. memory: for its columns. */
 static rot_status rows_at(const work *w, size_t n, const double t[], double memory[],
                           rot_axle_columns *rows) {
   const rot_axle_motion *m = w->of;
@@ -104,7 +105,7 @@ static double inertia_slope(const rot_axle_scene *scene, double t) {
   return (moment[past] - moment[past - 1]) / (at[past] - at[past - 1]);
 }
 
-/* rot_panels_rates */
+/* Integrand (rot_panels_rates): n times => rates of the flows. */
 static rot_status rates(size_t n, const double t[], double value[], void *ctx) {
   const work *w = ctx;
   const rot_axle_scene *scene = w->of->acts;
@@ -146,7 +147,7 @@ static int add_time(times *to, double t) {
   return 1;
 }
 
-/* In order, each once, those between two times (with these). */
+/* Sorts the times, removes duplicates and those outside [from, to]. */
 static void close_times(times *of, double from, double to) {
   size_t kept = 0;
   of->n = rot_sort_once(of->n, of->at);
@@ -157,8 +158,8 @@ static void close_times(times *of, double from, double to) {
   of->n = kept;
 }
 
-/* Times that double their distance from where the motion is disturbed: a panel much longer than the
- * shortest time would miss what fades after it. Of `anchors`, in order. */
+/* Times at doubling distances from the anchors (disturbances, sorted): a panel much longer than the
+ * shortest time scale would miss a transient after an anchor. */
 static int add_graded(const times *anchors, double start, double shortest, double from, double to,
                       times *out) {
   if (!isfinite(shortest)) return 1;
@@ -167,7 +168,7 @@ static int add_graded(const times *anchors, double start, double shortest, doubl
     const double begin = i ? at[i - 1] : fmin(from, at[0]);
     const double end = i < anchors->n ? at[i] : fmax(to, at[i - 1]);
     if (!(end - begin > 50.0 * shortest && end > from && begin < to)) continue;
-    const double first = fmax(shortest, (end - begin) * 0x1p-1000); /* 2^1024 is no double */
+    const double first = fmax(shortest, (end - begin) * 0x1p-1000); /* 2^1024 overflows */
     const int doublings = (int)floor(log2((end - begin) / first));
     for (int k = -1; k <= doublings; k++) {
       const double away = ldexp(first, k), t = end <= start ? end - away : begin + away;
@@ -177,7 +178,7 @@ static int add_graded(const times *anchors, double start, double shortest, doubl
   return 1;
 }
 
-/* A time where omega passes a point of a torque-speed curve, between two times. */
+/* Time between two times at which omega passes a point of a torque-speed curve, by bisection. */
 static rot_status kink_between(const work *w, double from, double to, double point, int rises,
                                double *at) {
   double memory[COLUMNS];
@@ -198,7 +199,7 @@ static rot_status kink_between(const work *w, double from, double to, double poi
 
 enum { PARTS = 16 };
 
-/* Panels end at the kinks of the curves: looked for at 16 times in each interval. */
+/* Adds the kinks of curves as ends of panels: sign changes between 16 times in each interval. */
 static rot_status add_kinks(work *w, times *edges) {
   const rot_axle_scene *scene = w->of->acts;
   size_t curves = 0;
@@ -232,6 +233,7 @@ static rot_status add_kinks(work *w, times *edges) {
   return status;
 }
 
+/* (rows) => ends of the panels: rows, breaks, graded times, kinks. */
 static rot_status find_edges(work *w, size_t n, const double time_s[], times *edges) {
   const rot_axle_motion *m = w->of;
   const rot_axle_scene *scene = m->acts;
@@ -257,10 +259,10 @@ static rot_status find_edges(work *w, size_t n, const double time_s[], times *ed
   return status;
 }
 
-/* ---- by quadrature --------------------------------------------------------------------------- */
+/* ---- quadrature ------------------------------------------------------------------------------ */
 
-/* The motion enters through omega and the torques alone, so that the balance with the kinetic
- * energy tests it. */
+/* Flows by quadrature. Uses only omega and the torques of the motion: the balance with the kinetic
+ * energy is an independent test. */
 static rot_status by_quadrature(work *w, size_t n, const double time_s[],
                                 const rot_axle_flows *flows) {
   const rot_info *info = w->of->info;
@@ -284,7 +286,7 @@ static rot_status by_quadrature(work *w, size_t n, const double time_s[],
   for (size_t i = 0, row = 0; i < edges.n && status == ROT_OK; i++) {
     const double t = edges.at[i];
     for (int k = 0; k < FLOWS && i; k++) sum[k] += value[(i - 1) * FLOWS + (size_t)k];
-    /* A jump at the first row is before it. */
+    /* A jump at the first row precedes it. */
     for (; knot < scene->n_inertia && scene->inertia_time_s[knot] <= t; knot++) {
       double side[2], memory[COLUMNS];
       rot_axle_columns at;
@@ -300,15 +302,16 @@ static rot_status by_quadrature(work *w, size_t n, const double time_s[],
     }
   }
   free(edges.at);
-  /* The effect of the motion's own error: that of omega on the rates, to first order. */
+  /* Effect of the error of the motion: error of omega on the rates, to first order. */
   const rot_measure *omega = &info->measure[ROT_OMEGA];
   const double off = omega->error / fmax(omega->largest, 1e-300);
   for (int k = 0; k < FLOWS; k++) flows->error[k] = error[k] + (4e-15 + 3.0 * off) * size[k];
   return status;
 }
 
-/* ---- in closed form -------------------------------------------------------------------------- */
+/* ---- closed form ----------------------------------------------------------------------------- */
 
+/* Flows by the closed form of ledgers. */
 static rot_status linear_flows(const rot_axle_scene *scene, size_t n, const double time_s[],
                                const rot_axle_flows *flows, const rot_hooks *hooks) {
   rot_store store = {0};
@@ -348,6 +351,7 @@ rot_status rot_axle_flows_of(const rot_axle_motion *motion, size_t n, const doub
 
 /* ---- gears ----------------------------------------------------------------------------------- */
 
+/* Replaces the summed work and heat by those of shafts, bearings and meshes. */
 void rot_axle_flows_geared(const rot_axle_scene *scene, const rot_axle_gears *gears, size_t n,
                            const double time_s[], const double theta_rad[],
                            const rot_axle_flows *flows) {

@@ -25,36 +25,38 @@ int rot_axle_forced_fits(const rot_axle_scene *scene) {
 
 /* ---- a term between two breaks -------------------------------------------------------------- */
 
-/* Roundings of a contribution, in units of the sum of its parts, each counted at its worst: the
- * kernel 6 to 10 (phi functions of a driven axle), its scaling 5 to 8, and what the residuals omit
- * up to 4 more in a driven wave. In 8000 random scenes the largest error was half of it. */
+/* Error of a contribution in units of roundoff times the sum of its |parts|, worst case: kernel 6
+ * to 10 (phi functions with c < 0), scaling 5 to 8, omitted residuals up to 4 more for a wave with
+ * c < 0. In 8000 random scenes the largest error was half of the sum. */
 enum { WAVE_ROUNDINGS = 14, DECAY_ROUNDINGS = 16, POWER_ROUNDINGS = 24 };
 
-/* What does not change between two breaks. Coefficient j of a polynomial about the base is
- * a[j] 2^exponent[j]; at_most[j] is the sum of what was added in it, in the same units. */
+/* Constants of a term between two breaks. Coefficient j of a polynomial about the base: a[j]
+ * 2^exponent[j]; at_most[j]: sum of the |numbers| added in it, same unit. */
 typedef struct forced_term {
-  const rot_term *term;               /* NULL: it does not act here */
-  double cosine, sine;                /* of the phase at the base */
-  double propagation, propagation_lo; /* logarithm of the exponential at the base */
-  double ratio;                       /* Omega I/c, or lambda I/c */
-  int degree;
+  const rot_term *term;             /* NULL: does not act here */
+  double cosine, sine;              /* sinusoid: of the phase at the base */
+  double log_factor, log_factor_lo; /* exponential: its logarithm at the base */
+  double ratio;                     /* Omega I/c, or lambda I/c */
+  int degree;                       /* polynomial */
   double a[MAX_DEGREE + 1], at_most[MAX_DEGREE + 1];
   int exponent[MAX_DEGREE + 1];
 } forced_term;
 
-/* One step from the base: s + s_lo, z + z_lo = c s/I, phi up to what the terms need. */
+/* A step from the base: s + s_lo, z + z_lo = c s/I, and the phi functions needed by the terms. */
 typedef struct forced_span {
   double I, c, s, s_lo, z, z_lo;
   double phi[ROT_PHI_HIGH + 1];
 } forced_span;
 
-/* What a term adds to omega and to theta, and the sums of absolute terms in it. */
+/* Contribution of a term. */
 typedef struct forced_part {
-  double value[2], size[2], roundings;
+  double value[2];  /* to omega, theta */
+  double size[2];   /* sums of its |terms| */
+  double roundings; /* error in units of roundoff times size */
 } forced_part;
 
-/* Product of n numbers over d1 d2, whatever their size. Where no partial result is near the ends
- * of the range the plain product has the same roundings. */
+/* Product of n numbers over d1 d2 without intermediate over- or underflow. If no partial result is
+ * near the limits, the plain product has the same rounding. */
 static double quotient(int n, const double x[], double d1, double d2) {
   const double low = 1e-280, high = 1e280;
   double p = 1.0;
@@ -76,7 +78,7 @@ static double quotient(int n, const double x[], double d1, double d2) {
 
 /* ---- sinusoid ------------------------------------------------------------------------------- */
 
-/* The phase at the base, exactly in three parts. */
+/* Sinusoid: phase at the base, exact in three parts. */
 static void prepare_wave(forced_term *f, double base_s, double I, double c) {
   const double *x = f->term->x;
   double lo, rest, last, s, c_rest, at = rot_two_prod(x[1], base_s, &lo);
@@ -88,12 +90,13 @@ static void prepare_wave(forced_term *f, double base_s, double I, double c) {
   f->ratio = rot_muldiv(x[1], I, c, NULL);
 }
 
-/* a b - c d without the rounding of the products. */
+/* a b - c d with exact products. */
 static double cross(double a, double b, double c, double d) {
   const double cd = c * d, lost = fma(-c, d, cd);
   return fma(a, b, -cd) + lost;
 }
 
+/* (sinusoid, step) => contribution by divided differences of the exponential. */
 static forced_part wave_part(const forced_term *f, const forced_span *at) {
   const double *x = f->term->x, s = at->s, I = at->I;
   double y_lo, y = rot_two_prod(x[1], s, &y_lo);
@@ -101,7 +104,7 @@ static forced_part wave_part(const forced_term *f, const forced_span *at) {
   const rot_divided_wave w = rot_divided_wave_at(at->z, at->z_lo, y, y_lo, f->ratio);
   forced_part part = {0};
   part.roundings = at->z < 0.0 ? WAVE_ROUNDINGS + 4.0 : WAVE_ROUNDINGS;
-  /* The residual of the phase is rounded itself: it counts where it is many radians. */
+  /* Rounding of the residual of the phase: relevant if it is many radians. */
   if (at->s_lo != 0.0) part.roundings += fabs(x[1] * at->s_lo) + fabs(y_lo);
   const int settled = !(at->z < INFINITY); /* s/(I z) = 1/c */
   for (int i = 0; i < 2; i++) {
@@ -120,12 +123,12 @@ static void prepare_decay(forced_term *f, double base_s, double I, double c) {
   const double *x = f->term->x;
   double since_lo, lo, since = rot_two_sum(base_s, -x[2], &since_lo);
   const double fall = rot_two_prod(x[1], since, &lo);
-  f->propagation = -fall;
-  f->propagation_lo = isfinite(lo) ? -(lo + x[1] * since_lo) : 0.0;
+  f->log_factor = -fall;
+  f->log_factor_lo = isfinite(lo) ? -(lo + x[1] * since_lo) : 0.0;
   f->ratio = rot_muldiv(x[1], I, c, NULL);
 }
 
-/* As rot_dd_add(), but an infinite term stays infinite: a decay that has gone to nothing. */
+/* rot_dd_add() in which an infinite term (a completed decay) stays infinite. */
 static rot_dd sum_of(rot_dd a, rot_dd b) {
   const double hi = a.hi + b.hi;
   return isfinite(hi) ? rot_dd_add(a, b) : (rot_dd){hi, 0.0};
@@ -133,7 +136,7 @@ static rot_dd sum_of(rot_dd a, rot_dd b) {
 
 static double phi_1(double z) { return z != 0.0 ? -expm1(-z) / z : 1.0; }
 
-/* A exp(g) x[0] x[1] .. / (d1 d2) */
+/* A exp(g) x[0] x[1] .. / (d1 d2) without intermediate over- or underflow. */
 static double grown(double A, rot_dd g, int n, const double x[], double d1, double d2) {
   int exponent;
   const double e = rot_exp_split(g.hi, g.lo, &exponent);
@@ -146,12 +149,12 @@ static double grown(double A, rot_dd g, int n, const double x[], double d1, doub
   return ldexp(p, shift - e1 - e2 + exponent);
 }
 
-/* z or y infinite: the limits, a quasi-static axle or an impulsive torque. */
+/* Limits for infinite z or y: quasi-static axle, impulsive torque. */
 static forced_part decay_at_once(const forced_term *f, const forced_span *at, rot_dd y) {
   const double A = f->term->x[0], rate = f->term->x[1], s = at->s, I = at->I, c = at->c;
-  const rot_dd g = {f->propagation, f->propagation_lo}, z = {at->z, at->z_lo};
+  const rot_dd g = {f->log_factor, f->log_factor_lo}, z = {at->z, at->z_lo};
   forced_part part = {0};
-  /* s/(I p) remains, with p the distance of the outer two of the nodes 0, -z and -y. */
+  /* s/(I p) remains, p: distance of the outer two of the nodes 0, -z, -y. */
   if (z.hi == INFINITY && y.hi == INFINITY) {
     part.value[1] = grown(A, g, 1, (double[]){1.0 / rate}, c, 1.0);
   } else if (z.hi == INFINITY) {
@@ -170,9 +173,10 @@ static forced_part decay_at_once(const forced_term *f, const forced_span *at, ro
   return part;
 }
 
+/* (exponential, step) => contribution by divided differences of the exponential. */
 static forced_part decay_part(const forced_term *f, const forced_span *at) {
   const double A = f->term->x[0], s = at->s, I = at->I;
-  const rot_dd z = {at->z, at->z_lo}, g = {f->propagation, f->propagation_lo};
+  const rot_dd z = {at->z, at->z_lo}, g = {f->log_factor, f->log_factor_lo};
   rot_dd y;
   y.hi = rot_two_prod(f->term->x[1], s, &y.lo);
   y.lo = isfinite(y.lo) ? y.lo + f->term->x[1] * at->s_lo : 0.0;
@@ -180,7 +184,8 @@ static forced_part decay_part(const forced_term *f, const forced_span *at) {
   if (z.hi == INFINITY || y.hi == INFINITY) {
     part = decay_at_once(f, at, y);
   } else {
-    /* exp[-z, -y] = exp(-min) phi_1(-|z - y|); exp[0, -z, -y] with the largest node at zero. */
+    /* exp[-z, -y] = exp(-min) phi_1(-|z - y|); exp[0, -z, -y] with the largest node shifted to
+     * 0. */
     const rot_dd gap = sum_of(z, rot_dd_neg(y)), less = gap.hi > 0.0 ? y : z,
                  more = gap.hi > 0.0 ? z : y;
     const double difference = fabs(gap.hi);
@@ -219,7 +224,7 @@ static double binomial(int n, int k) {
   return b;
 }
 
-/* u^m 2^(m exponent of u) for m = 0 .. degree in double words, mantissas only */
+/* u^m 2^(m exponent of u) for m = 0 .. degree in double words; mantissas only. */
 static void powers(double u, double u_lo, int degree, rot_dd power[MAX_DEGREE + 1], int *exponent) {
   *exponent = 0;
   const double m = frexp(u, exponent), m_lo = ldexp(u_lo, -*exponent);
@@ -232,8 +237,8 @@ static void powers(double u, double u_lo, int degree, rot_dd power[MAX_DEGREE + 
   }
 }
 
-/* sum_k a_k (u + v)^k = sum_j a'_j v^j, a'_j = sum_k C(k, j) a_k u^(k-j): each in double words, so
- * that what cancels in it costs no digits of the rows. */
+/* sum_k a_k (u + v)^k = sum_j a'_j v^j with a'_j = sum_k C(k, j) a_k u^(k-j), in double words:
+ * cancellation costs no digits of the rows. */
 static void shift_coefficients(forced_term *f, const double a[], double u, double u_lo) {
   const int n = f->degree;
   rot_dd power[MAX_DEGREE + 1];
@@ -259,12 +264,13 @@ static void shift_coefficients(forced_term *f, const double a[], double u, doubl
     }
     f->a[j] = sum.hi;
     f->at_most[j] =
-        fabs(sum.hi) + size * 0x1p-45; /* a rounding of sum, and 2^-98 of what it adds */
+        fabs(sum.hi) + size * 0x1p-45; /* rounding of sum, and 2^-98 of the |terms| added */
     f->exponent[j] = max;
   }
 }
 
-/* Returns 0 outside the breaks. `low_s`: the lower end of the span. */
+/* Polynomial: coefficients about the base. Returns 0 outside its breaks, else 1. low_s: lower end
+ * of the span. */
 static int prepare_powers(forced_term *f, double base_s, double low_s) {
   const double *x = f->term->x, *breaks = x + 2;
   const size_t n = (size_t)x[0], m = (size_t)x[1];
@@ -276,7 +282,8 @@ static int prepare_powers(forced_term *f, double base_s, double low_s) {
   return 1;
 }
 
-/* omega: (s/I) sum a_j s^j j! phi_(j+1), theta: (s^2/I) sum a_j s^j j! phi_(j+2) */
+/* (polynomial, step) => contribution. omega: (s/I) sum a_j s^j j! phi_(j+1), theta: (s^2/I) sum a_j
+ * s^j j! phi_(j+2). */
 static forced_part powers_part(const forced_term *f, const forced_span *at) {
   const double s = at->s, I = at->I;
   const int n = f->degree, settled = at->z == INFINITY;
@@ -316,7 +323,8 @@ static forced_part powers_part(const forced_term *f, const forced_span *at) {
 
 /* ---- one step ------------------------------------------------------------------------------- */
 
-/* No break lies between low_s and the base, or the base and the far end of the span. */
+/* (term, base) => its constants. No break lies between low_s and the base, or the base and the far
+ * end of the span. */
 static void prepare(forced_term *f, const rot_axle_scene *scene, const rot_term *term,
                     double base_s, double low_s) {
   const double I = scene->linear.inertia_kg_m2, c = scene->linear.viscous_n_m_s;
@@ -364,16 +372,16 @@ static void settle(rot_axle_state *state) {
 
 /* ---- the pieces ----------------------------------------------------------------------------- */
 
-/* From one break or knot to the next. */
+/* State of a run: the piece from one break or knot to the next. */
 typedef struct forced_run {
   const rot_axle_scene *scene;
   rot_axle_state base;
   rot_torque_piece piece;
   int forward;
   double end_s;
-  forced_term *term; /* those that act here */
+  forced_term *term; /* terms that act in the piece */
   size_t n_terms;
-  int k_max; /* of the phi functions they need */
+  int k_max; /* largest index of the phi functions needed */
 } forced_run;
 
 static rot_axle_state move(const forced_run *run, double time_s) {
@@ -394,7 +402,7 @@ static void state_at(const void *model, double time_s, rot_axle_point *state) {
   *state = point_of(&at);
 }
 
-/* The next break or knot beyond t, or an infinite time. */
+/* Next break or knot beyond t in the direction of stepping; +-Inf: none. */
 static double next_stop(const rot_axle_scene *scene, double t, int forward,
                         const rot_torque_piece *piece) {
   const size_t n = scene->n_breaks, k = rot_bound(n, scene->breaks_s, t, forward);
@@ -402,7 +410,7 @@ static double next_stop(const rot_axle_scene *scene, double t, int forward,
   return k > 0 ? fmax(scene->breaks_s[k - 1], piece->start_s) : piece->start_s;
 }
 
-/* The piece beyond the base. */
+/* base => piece beyond it, constants of its terms. */
 static void enter_piece(forced_run *run) {
   const rot_axle_scene *scene = run->scene;
   const double base_s = run->base.time_s;
@@ -440,7 +448,7 @@ rot_status rot_axle_forced(const rot_axle_scene *scene, size_t n, const double t
                            const rot_axle_columns *out, rot_events *events, const rot_hooks *hooks,
                            rot_info *info) {
   static const rot_axle_pieces pieces = {restart, piece_end, next_piece, state_at};
-  (void)events; /* nothing sticks, slips or locks */
+  (void)events; /* no event can occur */
   rot_info_clear(info, rot_turning);
   info->time_s = scene->linear.start_s;
   if (!rot_axle_forced_fits(scene)) return info->status = ROT_EVALUE;

@@ -6,17 +6,17 @@
 #include "ground/real.h"
 #include "ground/simd.h"
 
-/* Where l = c/I, A the acceleration at the start and b the torque's slope over I,
+/* With l = c/I, A the acceleration at the start and b the slope of the torque over I,
  *
  *   omega = omega0 + A s + g E2(s),   theta = theta0 + omega0 s + A s^2/2 + g E3(s),   g = b - l A,
  *
- * with E1 = (1 - exp(-l s))/l and its integrals E2 = (s - E1)/l = s^2 phi2, E3 = s^3 phi3. All that
- * is added to the state is small beside it or of one sign, so nothing cancels up to l s = 1/2. */
+ * E1 = (1 - exp(-l s))/l and its integrals E2 = (s - E1)/l = s^2 phi2, E3 = s^3 phi3. The terms
+ * added to the state are small relative to it or of one sign: no cancellation up to l s = 1/2. */
 #define NEAR 0.5
 
 /* ---- one short step ------------------------------------------------------------------------- */
 
-/* An even number. */
+/* Number of terms of the series, even. */
 static int terms_for(double z) {
   return z <= 0.01 ? 6 : z <= 0.06 ? 8 : z <= 0.39 ? 12 : ROT_GRID_TERMS;
 }
@@ -50,9 +50,9 @@ static departure depart(const law *k, const rot_axle_state *from) {
   return go;
 }
 
-/* The rounding of a step, in omega. With A good to 2 units and its terms' own, E2 to 4.5, E3 to 6:
- * the part of A 6 + 6 z units, of omega0 (2 + z) z; a sloping torque is good to 5, its slope to 4.
- * That of theta is at most 2/3 of it times s, and 4 units of omega0 s. */
+/* Rounding of omega in a step. Errors in units: A 2 plus those of its terms, E2 4.5, E3 6. Hence
+ * the term of A 6 + 6 z, of omega0 (2 + z) z; a sloping torque 5, its slope 4. Rounding of theta:
+ * at most 2/3 of that times s, plus 4 units of omega0 s. */
 static double step_rounding(const law *k, const rot_axle_state *from, const departure *go,
                             double s) {
   const double z = k->lambda * s;
@@ -64,7 +64,7 @@ static double step_rounding(const law *k, const rot_axle_state *from, const depa
   return ROT_EPS * sum;
 }
 
-/* To the end of a step, with E2 and E3 of its length. */
+/* (state, step with its E2 and E3) => state at the end of the step. */
 static rot_axle_state arrive(const law *k, const rot_axle_state *from, const departure *go,
                              double rounding, double time_s, double s, double e2, double e3) {
   const double w0 = from->omega_rad_per_s, A = go->acceleration, z = k->lambda * s;
@@ -89,7 +89,7 @@ rot_axle_state rot_axle_grid_step(const rot_axle_grid *grid, const rot_axle_para
                                   double time_s) {
   const law *k = &grid->law;
   const double s = time_s - from->time_s;
-  if (k->two_signs || !(k->lambda * s <= NEAR) || !(s > 1e-60)) { /* or a first instant */
+  if (k->two_signs || !(k->lambda * s <= NEAR) || !(s > 1e-60)) { /* or too short a step */
     return rot_axle_step(p, from, piece, time_s);
   }
   const departure go = depart(k, from);
@@ -100,7 +100,7 @@ rot_axle_state rot_axle_grid_step(const rot_axle_grid *grid, const rot_axle_para
 
 /* ---- the table ------------------------------------------------------------------------------ */
 
-/* The longest chunk whose steps are short; 0 where it would not pay. */
+/* Length of the longest chunk with c s/I <= 1/2; 0: too short to be worthwhile. */
 static size_t chunk_rows(double z) {
   size_t rows = ROT_GRID_ROWS;
   while (rows >= 8 && !((double)rows * z <= NEAR)) rows /= 2;
@@ -110,7 +110,7 @@ static size_t chunk_rows(double z) {
 static int make_table(rot_axle_grid *grid, const rot_axle_params *p, double step_s) {
   const double lambda = p->viscous_n_m_s / p->inertia_kg_m2;
   const size_t rows = chunk_rows(lambda * step_s);
-  if (rows == 0) return 0; /* the old table stays */
+  if (rows == 0) return 0; /* keep the old table */
   grid->rows = rows;
   grid->step_s = step_s;
   const int terms = terms_for(lambda * step_s * (double)grid->rows);
@@ -133,8 +133,8 @@ static int fill(const rot_axle_grid *grid, const rot_axle_state *from, const dep
 
 static double larger(double x, double y) { return x > y ? x : y; } /* fmax() is a call */
 
-/* Sizes and bounds of the rows of a chunk. Between its ends omega and theta keep their direction if
- * the acceleration and omega keep their sign; else all rows are compared. */
+/* Sizes and bounds of the rows of a chunk. omega and theta are monotonic between its ends if
+ * acceleration and omega do not change their signs; else all rows are compared. */
 static void note_chunk(const rot_axle_grid *grid, const rot_axle_state *from, const departure *go,
                        double rounding, size_t n, const rot_axle_columns *out, rot_info *info) {
   const double s = grid->s[n - 1], A = go->acceleration, w0 = from->omega_rad_per_s;
@@ -154,20 +154,21 @@ static void note_chunk(const rot_axle_grid *grid, const rot_axle_state *from, co
                from->omega_error + rounding + ROT_EPS * (omega + fabs(w0)));
 }
 
-/* How many of the rows lie on the grid. */
+/* Number of rows on the grid, from the first on. */
 static size_t even_rows(const rot_axle_grid *grid, size_t n, const double time_s[]) {
   size_t j = 1;
   while (j < n && fabs((time_s[j] - time_s[0]) - grid->s[j]) <= ROT_GRID_UNEVEN * grid->step_s) j++;
   return j;
 }
 
-/* A table for the first rows, the old one if its step is the same. */
+/* Table for the first rows; the old one if its step is equal. */
 static int find_table(rot_axle_grid *grid, const rot_axle_params *p, const double time_s[]) {
   const double step_s = (time_s[ROT_GRID_MIN - 1] - time_s[0]) / (ROT_GRID_MIN - 1);
   return fabs(step_s - grid->step_s) <= ROT_GRID_UNEVEN / ROT_GRID_ROWS * step_s ||
          make_table(grid, p, step_s);
 }
 
+/* Chunk by chunk: next base, rows, sizes. */
 size_t rot_axle_grid_rows(rot_axle_grid *grid, const rot_axle_params *p, rot_axle_state *base,
                           const rot_torque_piece *piece, size_t n, const double time_s[],
                           const rot_axle_columns *out, rot_info *info) {
@@ -175,7 +176,8 @@ size_t rot_axle_grid_rows(rot_axle_grid *grid, const rot_axle_params *p, rot_axl
   if (n < ROT_GRID_MIN || k->two_signs || !find_table(grid, p, time_s)) return 0;
 
   rot_axle_state at = rot_axle_grid_step(grid, p, base, piece, time_s[0]);
-  /* All chunks are of one length, wherever the columns lie: bits must not depend on an address. */
+  /* All chunks have one length, independent of the alignment of the columns: bits must not depend
+   * on an address. */
   const size_t chunk_rows = grid->rows;
   size_t done = 0;
   for (;;) {
@@ -183,7 +185,7 @@ size_t rot_axle_grid_rows(rot_axle_grid *grid, const rot_axle_params *p, rot_axl
     const rot_axle_columns to = rot_axle_columns_from(out, done);
     const departure go = depart(k, &at);
     const double rounding = step_rounding(k, &at, &go, grid->s[rows]);
-    /* The next state first: the rows do not depend on this chain of sums. */
+    /* The next state first: the rows are independent of this chain of sums. */
     rot_axle_state next = at;
     int more = 0;
     if (rows < left) {

@@ -1,4 +1,4 @@
-/* The kernel for registers of four (ground/simd.h). */
+/* The kernel for registers of four lanes (ground/simd.h). */
 #include "ground/simd.h"
 
 #ifdef ROT_SIMD_CAN
@@ -7,7 +7,7 @@
 
 #include "scene/axle/grid_fill.h"
 
-/* phi3(-z), 0 <= z <= 1/2: what follows the last term is below 2^-54 of the first. */
+/* phi3(-z), 0 <= z <= 1/2: truncation error below 2^-54 of the first term. */
 const double rot_axle_grid_series[ROT_GRID_TERMS] = {1 / 6.0,
                                                      -1 / 24.0,
                                                      1 / 120.0,

@@ -1,5 +1,5 @@
-/* The kernels of scene/axle/grid.c: its table, and the rows of a chunk. Compiled for registers of
- * two there and for registers of four in scene/axle/grid_fill.c. */
+/* Kernels of scene/axle/grid.c: the table, and the rows of a chunk. Compiled for registers of two
+ * lanes there, of four in scene/axle/grid_fill.c. */
 #ifndef ROT_AXLE_GRID_FILL_H
 #define ROT_AXLE_GRID_FILL_H
 
@@ -8,11 +8,11 @@
 #include "scene/axle/grid_table.h"
 #include "ground/pair.h"
 
-/* Taylor's coefficients of phi3(-z). */
+/* Taylor coefficients of phi3(-z). */
 enum { ROT_GRID_TERMS = 14 };
 extern const double rot_axle_grid_series[ROT_GRID_TERMS];
 
-/* E2 and E3 of steps (scene/axle/grid.c), by an even number of terms in two strands. */
+/* steps s => E2, E3 (scene/axle/grid.c), by an even number of terms in two interleaved sums. */
 ROT_INLINE rot_pair short_integrals(double lambda, rot_pair s, int terms, rot_pair *e3) {
   const double *series = rot_axle_grid_series;
   const rot_pair z = lambda * s, zz = z * z;
@@ -25,7 +25,7 @@ ROT_INLINE rot_pair short_integrals(double lambda, rot_pair s, int terms, rot_pa
   return 0.5 * s * s - lambda * *e3;
 }
 
-/* For rows of the table 0 .. rows, once s stands there. */
+/* Offsets s => rows 0 .. rows of the table. */
 ROT_INLINE void fill_table(rot_axle_grid *grid, double lambda, int terms) {
   for (size_t j = 0; j <= grid->rows; j += ROT_PAIR) {
     const size_t at = j + ROT_PAIR <= grid->rows + 1 ? j : grid->rows + 1 - ROT_PAIR;
@@ -37,7 +37,7 @@ ROT_INLINE void fill_table(rot_axle_grid *grid, double lambda, int terms) {
   }
 }
 
-/* The rows from j on, with the columns of rot_axle_row(); returns how far off the grid they are. */
+/* Rows from j on, all columns of rot_axle_row(). Returns their deviations from the grid. */
 ROT_INLINE rot_pair fill_pair(const rot_axle_grid *grid, const rot_axle_law *k,
                               const rot_axle_state *from, const rot_axle_departure *go, int sloping,
                               size_t j, const double time_s[], const rot_axle_columns *out) {
@@ -60,9 +60,9 @@ ROT_INLINE rot_pair fill_pair(const rot_axle_grid *grid, const rot_axle_law *k,
   return rot_pair_abs(off);
 }
 
-/* Rows 0 .. n-1 of a chunk, n >= ROT_PAIR; whether all of them lie on the grid. A register
- * that straddles two lines of the cache is slow to store: the first one may overlap the second, and
- * so may the last two. Of what the rows share, copies: stores do not change them. */
+/* Rows 0 .. n-1 of a chunk, n >= ROT_PAIR. Returns 1 if all are on the grid, else 0. A store across
+ * two cache lines is slow: the first register may overlap the second, and the last two each other.
+ * Local copies of the shared values: the compiler knows that stores do not change them. */
 ROT_INLINE int fill_rows(const rot_axle_grid *grid, const rot_axle_state *from,
                          const rot_axle_departure *go, int sloping, size_t n, const double time_s[],
                          const rot_axle_columns *out) {
@@ -88,8 +88,9 @@ ROT_INLINE int fill_chunk(const rot_axle_grid *grid, const rot_axle_state *from,
                                 : fill_rows(grid, from, go, 0, n, time_s, out);
 }
 
-/* The same for registers of four; n >= ROT_WIDE_PAIR. */
+/* fill_table() for registers of four lanes. */
 void rot_axle_grid_table_simd(rot_axle_grid *grid, double lambda, int terms);
+/* fill_chunk() for registers of four lanes; n >= 4. */
 int rot_axle_grid_fill_simd(const rot_axle_grid *grid, const rot_axle_state *from,
                             const rot_axle_departure *go, size_t n, const double time_s[],
                             const rot_axle_columns *out);

@@ -44,7 +44,7 @@ const rot_part rot_axle_parts[] = {
 };
 const size_t rot_axle_n_parts = sizeof rot_axle_parts / sizeof *rot_axle_parts;
 
-/* ---- what acts ------------------------------------------------------------------------------- */
+/* ---- loads ----------------------------------------------------------------------------------- */
 
 rot_status rot_axle_gather_breaks(rot_axle_scene *scene, rot_store *store) {
   double *all = rot_store_get(store, rot_axle_scene_room(scene), sizeof *all);
@@ -54,6 +54,7 @@ rot_status rot_axle_gather_breaks(rot_axle_scene *scene, rot_store *store) {
   return ROT_OK;
 }
 
+/* Torque => knots, call, terms, motor, breaks; resistance => coefficients. */
 rot_status rot_axle_load(const rot_given *torque, const rot_resistance *resists, rot_store *store,
                          rot_axle_scene *scene, rot_axle_own *own) {
   rot_loads loads;
@@ -93,7 +94,7 @@ double rot_axle_inertia_at(const rot_axle_scene *scene, double t) {
 static const char *const axes[] = {"z", "x", "y", NULL};
 static const char *const points[] = {"centre", "origin", NULL};
 
-/* The inputs that constructors share. */
+/* Inputs shared by constructors. */
 #define RESISTS       ROT_RESISTANCE_INPUT("what resists the rotation", rot_axle_resistance)
 #define THETA0(words) ROT_NUMBER_INPUT("theta0_rad", "rad", 0, -DBL_MAX, 0, 0.0, words)
 #define OMEGA0(words) ROT_NUMBER_INPUT("omega0_rad_per_s", "rad/s", 0, -DBL_MAX, 0, 0.0, words)
@@ -116,8 +117,7 @@ static const char *const points[] = {"centre", "origin", NULL};
 #define UNIT_AXIS                                                                                  \
   { "axis", offsetof(rot_axle_built, axis), 3 }
 
-/* The state at the start and the axis z. `state`: the place of the angle, behind which the rate
- * stands. */
+/* Initial state, axis z. state: index of the angle; the rate follows it. */
 static void begin(const rot_input inputs[], const rot_given given[], size_t state, size_t start,
                   rot_axle_built *built) {
   memset(built, 0, sizeof *built);
@@ -134,7 +134,8 @@ static rot_status set_axis(const rot_given given[], size_t input, double axis[3]
   return rot_input_axis(of, axis) ? ROT_OK : rot_refuse(no, input, "must not be 0");
 }
 
-/* `computed`: from the numbers of a body; below 2.2e-308 it has lost digits. */
+/* Checks a moment of inertia. computed: from the data of a body; then below 2.2e-308 it has lost
+ * digits. */
 static rot_status turns(double inertia, int computed, size_t input, rot_refusal *no) {
   if (computed && inertia > 0.0 && inertia < DBL_MIN) {
     return rot_refuse(no, input, "has a moment of inertia below what double precision resolves");
@@ -146,7 +147,7 @@ static rot_status turns(double inertia, int computed, size_t input, rot_refusal 
                     inertia);
 }
 
-/* The loads of a scene whose torque is input `torque`. */
+/* (inputs `torque`, `resists`) => loads of the scene. */
 static rot_status load(const rot_input inputs[], const rot_given given[], size_t torque,
                        size_t resists, rot_store *store, rot_axle_built *built, rot_refusal *no) {
   rot_resistance terms;
@@ -175,6 +176,7 @@ static const rot_input axle_inputs[] = {
                  points},
 };
 
+/* Body, number, or table of inertia => moment of inertia. */
 static rot_status build_inertia(const rot_given given[], rot_axle_built *built, rot_refusal *no) {
   static const double origin[3] = {0.0, 0.0, 0.0};
   const rot_given *body = &given[BODY], *through = &given[THROUGH];
@@ -227,7 +229,8 @@ static const rot_input pendulum_inputs[] = {
     [P_GRAVITY] = GRAVITY,
 };
 
-/* From the axle that the body names to its centre of mass; 0: it names none, or the centre. */
+/* Distance of the centre of mass from the axle given with the body; 0: none given, or the same
+ * point. */
 static double named_distance(const rot_given_body *body, const double axis[3]) {
   double off[3], along = 0.0, max = 0.0, square = 0.0;
   for (int k = 0; k < 3; k++) {
@@ -242,6 +245,7 @@ static double named_distance(const rot_given_body *body, const double axis[3]) {
   return max > 0.0 ? max * sqrt(square) : 0.0;
 }
 
+/* Body or moment, distance, gravity => gravity term. */
 static rot_status build_pendulum(const rot_given given[], rot_store *store, void *to,
                                  rot_refusal *no) {
   rot_axle_built *built = to;
@@ -313,6 +317,7 @@ static const rot_input hanging_inputs[] = {
     [H_GRAVITY] = GRAVITY,
 };
 
+/* Body, masses, radius => inertia, constant torque of the weights, rope. */
 static rot_status build_hanging(const rot_given given[], rot_store *store, void *to,
                                 rot_refusal *no) {
 #define VALUE(input) rot_input_number(hanging_inputs, given, input)
@@ -379,7 +384,7 @@ static const rot_input gears_inputs[] = {
     [G_FROM] = START,
 };
 
-/* The shafts at the first. */
+/* inputs of the shafts => train converted to the first shaft. */
 static rot_status read_train(const rot_given given[], rot_store *store, rot_axle_train *train,
                              rot_refusal *no) {
   const size_t n = rot_body_count(&given[G_BODIES]), meshes = n ? n - 1 : 0;
@@ -411,6 +416,7 @@ static rot_status read_train(const rot_given given[], rot_store *store, rot_axle
   return rot_axle_train_reflect(n, ratio, inertia, viscous, torque, efficiency, store, train);
 }
 
+/* Train => law as torque, curve, viscous and dry resistance. */
 static rot_status build_gears(const rot_given given[], rot_store *store, void *to,
                               rot_refusal *no) {
   rot_axle_built *built = to;
@@ -450,7 +456,7 @@ static rot_status build_gears(const rot_given given[], rot_store *store, void *t
 
 static const rot_derived gears_derived[] = {MOMENT(scene.linear.inertia_kg_m2)};
 
-/* ---- all ------------------------------------------------------------------------------------- */
+/* ---- constructors ---------------------------------------------------------------------------- */
 
 #define MAKER(name, inputs, build, derived)                                                        \
   { name, ROT_COUNT(inputs), inputs, build, ROT_COUNT(derived), derived }

@@ -16,14 +16,17 @@ static double difference(running_sum a, running_sum b) { return (a.hi - b.hi) + 
 
 static void add(running_sum *sum, double x) { rot_accumulate(&sum->hi, &sum->lo, x); }
 
-/* What drives omega in a step, all in units of 2^unit rad/s: u0 is omega at its start; ua, ub are
- * s torque/I at its ends, for |z| <= 8; qa, qb are torque/c there, for |z| > 3. Each is used only
- * where it is of the size of omega, so that squares stay in range, from z = 0 to z = Inf. */
+/* Data of a step, in units of 2^unit rad/s. Each is used only if it has the magnitude of omega:
+ * squares do not overflow for any z from 0 to Inf. */
 typedef struct step_drive {
-  double z, z_lo, u0, ua, ub, qa, qb;
+  double z, z_lo; /* c s/I */
+  double u0;      /* omega at the start */
+  double ua, ub;  /* s torque/I at start and end, for |z| <= 8 */
+  double qa, qb;  /* torque/c at start and end, for |z| > 3 */
   int unit;
 } step_drive;
 
+/* Scales all numbers by the largest of them. */
 static step_drive drive_of(const rot_axle_params *p, double s, double s_lo, double w0, double a,
                            double b) {
   const double I = p->inertia_kg_m2, c = p->viscous_n_m_s;
@@ -54,7 +57,7 @@ static step_drive drive_of(const rot_axle_params *p, double s, double s_lo, doub
   return drive;
 }
 
-/* int_0^1 omega(x)^2 dx of a step; *size is the same with every term positive. */
+/* int_0^1 omega(x)^2 dx of a step; *size: the same with all terms positive. */
 static double mean_square(const step_drive *drive, double *size) {
   const double z = drive->z, u0 = drive->u0, ua = drive->ua, ub = drive->ub;
   if (!(fabs(z) <= 3.0)) {
@@ -88,13 +91,14 @@ typedef struct running_ledger {
   double work_rounding, heat_rounding, impulse_rounding;
 } running_ledger;
 
-/* A product in units of 2^unit. */
+/* Product of n numbers, in units of 2^unit. */
 static double in_unit(int n, const double x[], int unit) {
   int exponent;
   const double p = rot_product_split(n, x, 1.0, &exponent);
   return ldexp(p, exponent + unit);
 }
 
+/* (state, piece, time) => adds work, heat and impulse of the step, with their rounding. */
 static void add_step(const rot_axle_params *p, const rot_axle_state *from,
                      const rot_torque_piece *piece, double time_s, running_ledger *sum) {
   const double c = p->viscous_n_m_s;
@@ -104,8 +108,8 @@ static void add_step(const rot_axle_params *p, const rot_axle_state *from,
   const step_drive drive = drive_of(p, s, s_lo, from->omega_rad_per_s, a, b);
   const double z = drive.z, u0 = drive.u0;
 
-  /* Work = s (a X + b Y), X and Y the mean of omega with the weights 1-x and x. */
-  double phi[5], near_a, far_a, near_b, far_b; /* coefficients of the drive in X and Y */
+  /* Work = s (a X + b Y); X, Y: means of omega with weights 1-x and x. */
+  double phi[5], near_a, far_a, near_b, far_b; /* coefficients of a, b in X and Y */
   rot_phi(z, drive.z_lo, 4, phi);
   const double g1 = rot_phi_g1(z, phi[0], phi[1]);
   const int settled = fabs(z) > 8.0;
@@ -125,7 +129,7 @@ static void add_step(const rot_axle_params *p, const rot_axle_state *from,
   const double y_size = fabs(u0) * g1 + fabs(da * near_b) + fabs(db * far_b);
   double square_size, square = mean_square(&drive, &square_size);
 
-  /* Their errors from that of omega at the start. */
+  /* Errors due to that of omega at the start. */
   const double u_error = ldexp(from->omega_error, -drive.unit);
   const double largest =
       fabs(u0) + (settled ? fabs(da) + fabs(db) : (fabs(da) + fabs(db)) * phi[1]);
@@ -143,7 +147,7 @@ static void add_step(const rot_axle_params *p, const rot_axle_state *from,
   sum->impulse_rounding += 4.0 * ROT_EPS * fabs(0.5 * s) * (fabs(a) + fabs(b));
 }
 
-/* From *state to a time, piece by piece, adding up if there is a sum. */
+/* *state => state at a time, piece by piece; sum (NULL: none) += flows. */
 static rot_status go_to(const rot_axle_params *p, rot_axle_state *state, double to_s,
                         running_ledger *sum, const rot_hooks *hooks, rot_info *info) {
   const int forward = to_s >= state->time_s;
@@ -169,7 +173,7 @@ static rot_status go_to(const rot_axle_params *p, rot_axle_state *state, double 
   return ROT_OK;
 }
 
-/* From the first row on: `of` less `first`, with the roundings of all. */
+/* Ledger since the first row: of - first, with the rounding of all. */
 static rot_axle_ledger ledger_of(const rot_axle_params *p, const running_ledger *of,
                                  const running_ledger *first, const running_ledger *rounding) {
   rot_axle_ledger out;
@@ -185,14 +189,14 @@ static rot_axle_ledger ledger_of(const rot_axle_params *p, const running_ledger 
   return out;
 }
 
-/* Outward from the start, as the rows: in the other direction a motion that decays outward would
- * grow, and its rounding with it. */
+/* Sums outward from the start, like the rows: inward, a motion that decays outward would grow, with
+ * its rounding. */
 static rot_status sum_rows(const rot_axle_params *p, size_t n, const double t[],
                            const rot_hooks *hooks, running_ledger row[], running_ledger *rounding,
                            rot_info *info) {
   running_ledger before, after;
   rot_axle_state state = rot_axle_start(p);
-  size_t late = 0; /* the first row that is not before the start */
+  size_t late = 0; /* first row not before the start */
   memset(&before, 0, sizeof before);
   after = before;
   rot_info_clear(info, rot_turning);

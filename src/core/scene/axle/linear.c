@@ -17,9 +17,11 @@ typedef struct row_run {
   rot_info *info;
   rot_axle_state base;
   rot_torque_piece piece;
-  size_t index; /* of the piece */
-  int forward, in_lanes, on_grids;
-  double last_s[2]; /* the last rows backward and forward */
+  size_t index;     /* of the piece */
+  int forward;      /* 1: forward in time */
+  int in_lanes;     /* 1: well-scaled numbers, several rows at a time */
+  int on_grids;     /* 1: evenly spaced rows by a table */
+  double last_s[2]; /* times of the last rows, backward and forward */
   rot_axle_grid *grid;
 } row_run;
 
@@ -32,7 +34,7 @@ static rot_status free_rows(void *model, size_t first, size_t last, size_t *end)
     *end = i;
     if (!isfinite(theta)) return ROT_ERANGE;
     rot_axle_row(p, run->out, i, theta, omega, 0.0);
-    /* Three roundings: the time difference, the product, the sum. */
+    /* Three roundings: time difference, product, sum. */
     rot_note_row(run->info, theta, omega, ROT_EPS * (2.0 * fabs(turned) + fabs(theta)), 0.0);
   }
   *end = last;
@@ -51,8 +53,8 @@ rot_status rot_axle_free(const rot_axle_params *p, size_t n, const double time_s
 
 /* ---- rows inside one piece ------------------------------------------------------------------ */
 
-/* Well-scaled numbers are multiplied as they come, several rows at a time: 25 ns a row against 150
- * to 400. */
+/* Well-scaled numbers need no scaling of products: several rows at a time, 25 ns per row instead of
+ * 150 to 400. */
 static int well_scaled(double x) { return rot_well_scaled(x, 1e60); }
 
 static rot_status finish_row(const row_run *run, size_t i, const rot_axle_state *state) {
@@ -76,7 +78,7 @@ static double quick_torque(const rot_torque_piece *piece, double t) {
   return (a * (piece->end_s - t) + b * (t - piece->start_s)) / (piece->end_s - piece->start_s);
 }
 
-/* c s/I for a row, with its residual; s with its own. One division. */
+/* z = c s/I of a row with its residual, from s with its own; one division. */
 static double quick_z(const rot_axle_params *p, double s, double s_lo, double *s_over_I,
                       double *z_lo) {
   const double I = p->inertia_kg_m2, c = p->viscous_n_m_s;
@@ -87,7 +89,7 @@ static double quick_z(const rot_axle_params *p, double s, double s_lo, double *s
   return z;
 }
 
-/* ROT_LANES rows, or fewer with the last one repeated. */
+/* ROT_LANES rows at once; if fewer, the last one is repeated. */
 static void lane_rows(const row_run *run, const size_t row[ROT_LANES], double base_torque) {
   const rot_axle_state *base = &run->base;
   const double w0 = base->omega_rad_per_s, rounding = rot_axle_rounding(run->p);
@@ -119,14 +121,13 @@ static void lane_rows(const row_run *run, const size_t row[ROT_LANES], double ba
   }
 }
 
-/* A row without torque: omega0 phi0 and s omega0 phi1. */
+/* Row without torque: omega0 phi0, s omega0 phi1. */
 static void coasting_row(const row_run *run, size_t i) {
   const rot_axle_state *base = &run->base;
   const double w0 = base->omega_rad_per_s, rounding = rot_axle_rounding(run->p);
   double s_lo, s = rot_two_sum(run->time_s[i], -base->time_s, &s_lo), u, z_lo;
   const double z = quick_z(run->p, s, s_lo, &u, &z_lo);
-  const double gone =
-      z < 0.5 ? -expm1(-z) : 1.0 - exp(-z); /* exp(-z) itself is small for large z */
+  const double gone = z < 0.5 ? -expm1(-z) : 1.0 - exp(-z); /* exp(-z) is small for large z */
   double phi0 = z < 0.5 ? 1.0 - gone : exp(-z);
   const double phi1 = z == 0.0 ? 1.0 : gone / z;
   phi0 -= phi0 * z_lo;
@@ -139,7 +140,7 @@ static void coasting_row(const row_run *run, size_t i) {
                base->omega_error * phi0 + rounding * fabs(omega));
 }
 
-/* The row of a settled motion, z >= 3: as rot_axle_step(), for well-scaled numbers. */
+/* Row of a settled motion, z >= 3: rot_axle_step() for well-scaled numbers. */
 static void settled_row(const row_run *run, size_t i, double base_torque) {
   const double I = run->p->inertia_kg_m2, c = run->p->viscous_n_m_s;
   const rot_axle_state *base = &run->base;
@@ -165,14 +166,14 @@ static void settled_row(const row_run *run, size_t i, double base_torque) {
                base->omega_error * phi0 + rounding * (fabs(from_w0) + fabs(from_a) + fabs(from_b)));
 }
 
-/* Rows of an even grid from row i on, as many as there are; the base moves on with them. */
+/* Rows of an even grid from row i on; returns their number, moves the base. */
 static size_t grid_rows(row_run *run, size_t i, size_t end) {
   const rot_axle_columns out = rot_axle_columns_from(run->out, i);
   return rot_axle_grid_rows(run->grid, run->p, &run->base, &run->piece, end - i, run->time_s + i,
                             &out, run->info);
 }
 
-/* Rows that wait for their lanes. */
+/* Rows queued for the lanes. */
 typedef struct lane_queue {
   size_t row[ROT_LANES];
   int filled;
@@ -185,7 +186,8 @@ static void flush_lanes(const row_run *run, lane_queue *queue, double base_torqu
   queue->filled = 0;
 }
 
-/* Rows i to end - 1, all in this piece and beyond its base. Well-scaled numbers cannot fail. */
+/* Rows i to end - 1, all in the present piece and beyond its base. Well-scaled numbers cannot
+ * fail. */
 static rot_status rows_in_piece(void *model, size_t i, size_t end, size_t *good) {
   row_run *run = model;
   rot_status status = ROT_OK;
@@ -203,8 +205,8 @@ static rot_status rows_in_piece(void *model, size_t i, size_t end, size_t *good)
   int even = on_grids;
   for (; i < end && status == ROT_OK; i++) {
     const double t = run->time_s[i];
-    /* At a knot the torque column shows the value after a jump, and a first instant divided by the
-     * inertia may be out of range: one_row() handles both. */
+    /* At a knot the torque column has the value after a jump; a tiny time over the inertia may be
+     * out of range: one_row() handles both. */
     if (fabs(t - run->base.time_s) < 1e-60 || t == run->piece.start_s || t == run->piece.end_s) {
       status = one_row(run, i);
       even = on_grids;
@@ -308,7 +310,7 @@ rot_status rot_axle_linear_fast(const rot_axle_params *p, size_t n, const double
 rot_status rot_axle_free_scene(const rot_axle_scene *scene, size_t n, const double time_s[],
                                const rot_axle_columns *out, rot_events *events,
                                const rot_hooks *hooks, rot_info *info) {
-  (void)events; /* there are none */
+  (void)events; /* none occur */
   return rot_axle_free(&scene->linear, n, time_s, out, hooks, info);
 }
 

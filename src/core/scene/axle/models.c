@@ -100,8 +100,8 @@ static double between(size_t n, const double x[], double from, double to) {
   return n ? (double)(rot_lower_bound(n, x, to) - rot_upper_bound(n, x, from)) : 0.0;
 }
 
-/* Breaks between the first and the last time, and the span of these; the scene's own list holds the
- * knots, too, where it is complete. */
+/* Number of breaks between the first and last time, and this span. A complete list of the scene
+ * also contains the knots. */
 static double count_breaks(const rot_axle_scene *scene, const rot_query *query, double *span_s) {
   const rot_torque *torque = &scene->linear.torque;
   const double start = scene->linear.start_s;
@@ -114,7 +114,7 @@ static double count_breaks(const rot_axle_scene *scene, const rot_query *query, 
                   between(scene->n_inertia, scene->inertia_time_s, from, to));
 }
 
-/* seconds: of a run, of a row, of a term in a row, of a break. */
+/* model->seconds: per run, per row, per term and row, per break. */
 static double closed_form_s(const rot_model *model, const void *of, const rot_query *query) {
   const rot_axle_scene *scene = of;
   const double *s = model->seconds;
@@ -122,7 +122,7 @@ static double closed_form_s(const rot_model *model, const void *of, const rot_qu
          s[3] * count_breaks(scene, query, NULL);
 }
 
-/* seconds[1] is for even times, seconds[2] for others; a look at three of them will do. */
+/* seconds[1]: evenly spaced times, seconds[2]: others; decided by three of the times. */
 static double linear_s(const rot_model *model, const void *of, const rot_query *query) {
   const double *s = model->seconds, *t = query->time_s;
   const size_t n = query->n, half = (n - 1) / 2;
@@ -131,7 +131,8 @@ static double linear_s(const rot_model *model, const void *of, const rot_query *
   return s[0] + (double)n * (even ? s[1] : s[2]) + s[3] * count_breaks(of, query, NULL);
 }
 
-/* seconds: of a run, of a row and a sinusoid or exponential in it, of a row's knots, of a break. */
+/* model->seconds: per run; per row and sinusoid or exponential; per row for the knots; per
+ * break. */
 static double forced_s(const rot_model *model, const void *of, const rot_query *query) {
   const rot_axle_scene *scene = of;
   const double *s = model->seconds;
@@ -144,11 +145,15 @@ static double forced_s(const rot_model *model, const void *of, const rot_query *
   return s[0] + (double)query->n * row_s + s[3] * count_breaks(scene, query, NULL);
 }
 
-/* How fast the motion changes: `swing_per_s` lasts, `decay_per_s` is what resistance damps. */
+/* Rates of the motion. */
 typedef struct rates {
-  double swing_per_s, decay_per_s, span_s, breaks;
+  double swing_per_s; /* of persistent oscillations */
+  double decay_per_s; /* of damping */
+  double span_s;
+  double breaks; /* number of breaks in the span */
 } rates;
 
+/* (scene, query) => rates by the kinds of the loads. */
 static rates rates_of(const rot_axle_scene *scene, const rot_query *query) {
   const double inertia = scene->linear.inertia_kg_m2;
   const rot_torque *torque = &scene->linear.torque;
@@ -163,7 +168,7 @@ static rates rates_of(const rot_axle_scene *scene, const rot_query *query) {
       drive += fabs(x[0]);
       r.swing_per_s = fmax(r.swing_per_s, fabs(x[1]));
       break;
-    case ROT_TERM_EXPONENTIAL: /* ten decay times, then it is over */
+    case ROT_TERM_EXPONENTIAL: /* ten decay times */
       r.swing_per_s = fmax(r.swing_per_s, fmin(fabs(x[1]), 10.0 / r.span_s));
       break;
     case ROT_TERM_SPRING: pull += fabs(x[0]); break;
@@ -181,30 +186,30 @@ static rates rates_of(const rot_axle_scene *scene, const rot_query *query) {
   for (size_t i = 0; i < knots; i++) drive = fmax(drive, fabs(torque->torque_n_m[i]));
   falling += 2.0 * fmax(q * fabs(scene->linear.omega0_rad_per_s), sqrt(q * drive));
   r.swing_per_s = fmax(r.swing_per_s, sqrt(pull / inertia));
-  /* Of a law nothing is known: some periods. */
+  /* A law of the caller is unknown: assume some periods. */
   if (torque->call) r.swing_per_s = fmax(r.swing_per_s, 20.0 / fmax(r.span_s, 1e-300));
   r.decay_per_s = fmax(r.decay_per_s, falling / inertia);
   return r;
 }
 
-/* Two runs of steps, counted in the finer one: a few at the start and at breaks; accuracy to a
- * power times what lasts, or the first decay times; after these, stability limits an explicit step
- * to some 5 decay times, and an implicit one grows. seconds: the rate, its power, decay times,
- * steps after. */
+/* Steps of two runs, counted in the finer one: some at the start and at breaks; accuracy to a power
+ * times the persistent oscillations or the first decay times. After these, stability limits an
+ * explicit step to about 5 decay times; implicit steps grow. model->seconds: step rate, its power,
+ * decay times, later steps. */
 static double integrated_s(const rot_model *model, const void *of, const rot_query *query,
                            int implicit) {
   const rot_axle_scene *scene = of;
   const rates r = rates_of(scene, query);
   const double *s = model->seconds, n = (double)query->n, terms = (double)scene->n_terms;
   const double swings = r.swing_per_s * r.span_s;
-  const double decays = fmin(r.decay_per_s * r.span_s, 1e300); /* finite, to be compared */
+  const double decays = fmin(r.decay_per_s * r.span_s, 1e300); /* finite, for comparisons */
   const double rate = s[0] * pow(fmax(query->accuracy, model->promise), s[1]);
   const double after = s[3] * fmax(0.0, implicit ? log10(decays) : decays - s[2]);
   const double steps = 8.0 + 2.0 * r.breaks + rate * fmax(swings, fmin(decays, s[2])) + after;
   const double law_s = scene->linear.torque.call ? query->law_s : 0.0;
   const double call_s = 40e-9 + 35e-9 * terms + law_s;
   const double row_s = implicit ? 1.2e-6 : 0.55e-6 + 70e-9 * terms;
-  /* Collocation calls a law less often than a finer run. */
+  /* Collocation calls a law less often than the finer run. */
   const double calls = law_s > 0.0 && query->accuracy <= 1e-7 ? 13.0 : 20.4;
   return 5e-6 + 2e-6 * r.breaks + steps * (implicit ? 28.0 * call_s + 1.5e-6 : calls * call_s) +
          n * row_s + fmin(n, 64.0) * law_s;
@@ -230,8 +235,8 @@ static double fixed_s(const rot_model *model, const void *scene, const rot_query
 
 #define CLOSED ": closed form"
 
-/* The reasons fit on one line of 80 characters in the head of a trajectory.
- * A closed form; the last four numbers are its cost. */
+/* A reason fits on one line of 80 characters in the head of a trajectory. EXACT: a closed form; the
+ * last four numbers are its cost. */
 #define EXACT(id, takes, promise, why, why_not, cost_s, a, b, c, d)                                \
   {                                                                                                \
     id, (unsigned)(takes), ROT_BOUND, promise, 0, why, why_not, cost_s, { a, b, c, d }             \
@@ -240,8 +245,8 @@ static double fixed_s(const rot_model *model, const void *scene, const rot_query
 static const rot_model models[ROT_AXLE_MODELS] = {
     EXACT("axle_free", 0, 4e-16, "nothing acts about the axle: omega keeps its value", NULL,
           closed_form_s, 0.7e-6, 6.3e-9, 0.0, 0.0),
-    /* Some twenty roundings of the terms added (measured: four). Terms of two signs that cancel
-     * lose more: the run's own bound says how much. */
+    /* About 20 roundings of the |terms| (measured: 4). Cancelling terms lose more: see the bound of
+     * the run. */
     EXACT("axle_linear", ROT_AXLE_LINEAR_TAKES, 2.5e-15,
           "piecewise-linear torque, viscous resistance" CLOSED, NULL, linear_s, 0.8e-6, 1.7e-9,
           28e-9, 0.25e-6),

@@ -8,7 +8,7 @@
 
 extern const rot_constraint rot_axle_constraint;
 
-/* NULL: it is an integrator. */
+/* model => its closed form; NULL: an integrator. */
 static inline rot_axle_model rot_axle_form(const rot_model *model) {
   return rot_axle_forms[model - rot_axle_constraint.models];
 }

@@ -27,9 +27,9 @@ void rot_axle_motor_ledger(const rot_axle_scene *scene, rot_axle_ledger *ledger)
   ledger->damping_impulse_n_m_s *= rest;
 }
 
-/* The sum c is off by d, and cancels where the resistance drives. That changes each term of a
- * closed form by at most d t/I of itself; forward with c > 0 by at most 3.4 d/c of the largest
- * omega. The bounds count 12 roundings of the terms. */
+/* The sum c has an error d, and cancels if the resistance drives. d changes each term of a closed
+ * form by at most the fraction d t/I, and for c > 0, forward in time, by at most 3.4 d/c of the
+ * largest omega. The bounds count 12 roundings of the terms. */
 void rot_axle_motor_error(const rot_axle_scene *scene, size_t n, const double time_s[],
                           rot_info *info) {
   const rot_axle_params *p = &scene->linear;

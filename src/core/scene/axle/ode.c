@@ -7,8 +7,8 @@
 #include "engine/ode/ode.h"
 #include "ground/real.h"
 
-/* TURNED: theta less theta0, whose size would hide the first digits of a small motion: a pendulum
- * upside down, pushed by 1e-12 rad/s, never left pi. Then the flows. */
+/* State. TURNED: theta - theta0, so that a large theta0 does not hide a small motion: an inverted
+ * pendulum pushed by 1e-12 rad/s never left pi. After it: omega, flows. */
 enum {
   TURNED,
   OMEGA,
@@ -27,8 +27,8 @@ typedef struct motion {
   const rot_axle_scene *scene;
   rot_torque inertia; /* I(t) as knots; no knot: constant */
   double reference;   /* y[OMEGA] = I(t) omega / reference */
-  int turns;          /* the resistance has a kink at rest */
-  int mode;           /* 1, -1: the sign of omega; 0: held */
+  int turns;          /* 1: the resistance has a kink at rest */
+  int mode;           /* 1, -1: sign of omega; 0: held */
   size_t n_breaks;
   double *breaks;
 } motion;
@@ -50,7 +50,7 @@ static rot_status applied_now(const rot_axle_scene *scene, double t, double turn
     const rot_status status = law->call(t, theta, omega, &called, law->ctx);
     if (status != ROT_OK) return status;
   }
-  /* Alone it keeps its digits, and its sign of zero. */
+  /* A single law keeps its digits and the sign of zero. */
   const int alone = law->call && law->n == 0 && scene->n_terms == 0 && scene->motor_n_m_s == 0.0 &&
                     law->before_n_m == 0.0;
   *torque = alone ? called : called + rot_axle_scene_applied(scene, t, theta, theta_lo, omega);
@@ -65,6 +65,7 @@ static double inertia_slope(const motion *m, double t) {
   return isfinite(width) && width > 0.0 ? (piece.end_n_m - piece.start_n_m) / width : 0.0;
 }
 
+/* (t, state) => rates of the state and the flows, in the present mode. */
 static rot_status axle_rhs(double t, const double y[], double dydt[], void *ctx) {
   const motion *m = ctx;
   const rot_axle_scene *scene = m->scene;
@@ -73,7 +74,7 @@ static rot_status axle_rhs(double t, const double y[], double dydt[], void *ctx)
   double torque;
   const rot_status status = applied_now(scene, t, y[TURNED], omega, &torque);
   if (status != ROT_OK) return status;
-  /* The sign is the segment's, so that a stage beyond the zero sees no kink. */
+  /* The sign of the segment: a stage beyond the zero has no kink. */
   const double sign = m->mode;
   const double viscous = scene->viscous_n_m_s * omega,
                quadratic = scene->quadratic_n_m_s2 * omega * omega * sign,
@@ -95,7 +96,8 @@ static void new_positions(double t, double h, const double before[], double y[],
   y[TURNED] = before[TURNED] + h * omega_of(ctx, t, y[OMEGA]);
 }
 
-/* Where I(t) jumps, L stays and L^2 / 2 I is made up by what changes the inertia. */
+/* At a jump of I(t) L is continuous; the change of L^2 / 2 I is the work of the change of
+ * inertia. */
 static void cross_inertia(double t, double y[], int forward, void *ctx) {
   const motion *m = ctx;
   if (m->inertia.n == 0) return;
@@ -109,7 +111,7 @@ static void cross_inertia(double t, double y[], int forward, void *ctx) {
   if (from != to) y[INERTIA] += 0.5 * momentum * (momentum * ((from - to) / from / to));
 }
 
-/* A torque curve of more than one straight line. */
+/* 1 if a torque-speed curve has more than one line, else 0. */
 static int has_kinks(const rot_axle_scene *scene) {
   for (size_t i = 0; i < scene->n_terms; i++) {
     if (scene->terms[i].kind == ROT_TERM_CURVE) return 1;
@@ -126,6 +128,7 @@ static rot_status collect_breaks(motion *m) {
   return ROT_OK;
 }
 
+/* scene => motion: inertia, mode at the start. */
 static motion motion_of(const rot_axle_scene *scene) {
   motion m;
   memset(&m, 0, sizeof m);
@@ -146,7 +149,8 @@ static motion motion_of(const rot_axle_scene *scene) {
 
 /* ---- rows ------------------------------------------------------------------------------------ */
 
-/* slope: NULL, or the torque of each row as the run called it, NaN where it did not. */
+/* states => columns. slope: torque of each row as called in the run, NaN: not called; NULL:
+ * none. */
 static rot_status fill_columns(const motion *m, size_t n, const double time_s[], const double y[],
                                const double slope[], const rot_axle_columns *out, rot_info *info) {
   const rot_axle_scene *scene = m->scene;
@@ -175,8 +179,8 @@ static rot_status fill_columns(const motion *m, size_t n, const double time_s[],
   return ROT_OK;
 }
 
-/* Largest theta: of the rows and the start, or what it must have been on the way. Largest omega and
- * its error: those of the state, carried to the rows where the inertia changes. */
+/* Largest theta: of the rows and the start, or the one implied by the largest |theta - theta0|.
+ * Largest omega, its error: those of the state, converted at the rows if the inertia changes. */
 static void note_sizes(const motion *m, size_t n, const double time_s[], const double y[],
                        const double error[], const double largest[], rot_info *info) {
   const double theta0 = m->scene->linear.theta0_rad;
@@ -185,7 +189,7 @@ static void note_sizes(const motion *m, size_t n, const double time_s[], const d
   for (size_t i = 0; i < n; i++) {
     theta->largest = fmax(theta->largest, fabs(theta0 + y[i * DIM + TURNED]));
   }
-  /* With half of an ulp of theta, two of 1000 motions erred by more, at 3e-16. */
+  /* With half an ulp of theta, 2 of 1000 motions had a larger error, 3e-16. */
   theta->error = error[TURNED] + 4.0 * ROT_EPS * theta->largest;
   omega->error = error[OMEGA];
   omega->largest = largest[OMEGA];
@@ -199,7 +203,7 @@ static void note_sizes(const motion *m, size_t n, const double time_s[], const d
   omega->error *= max;
 }
 
-/* Each of them errs at both ends. The impulse of the resistance follows from that of the torque. */
+/* Twice the errors: at both ends. The impulse of the resistance follows from that of the torque. */
 static void write_flows(const motion *m, size_t n, const double time_s[], const double y[],
                         const double error[], const rot_axle_columns *rows,
                         const rot_axle_flows *flows) {
@@ -210,6 +214,7 @@ static void write_flows(const motion *m, size_t n, const double time_s[], const 
   rot_axle_flows_jumps(m->scene, n, time_s, rows->angular_momentum_kg_m2_per_s, flows);
 }
 
+/* Builds the problem of rot_ode_run(); rows, sizes, flows. */
 rot_status rot_axle_integrate(const rot_axle_scene *scene, const rot_axle_ode_options *options,
                               size_t n, const double time_s[], const rot_axle_columns *out,
                               rot_events *events, const rot_axle_flows *flows,
@@ -231,30 +236,30 @@ rot_status rot_axle_integrate(const rot_axle_scene *scene, const rot_axle_ode_op
                                  fabs(time_s[n - 1] - scene->linear.start_s))
                           : 0.0;
     const double noise[] = {scene->noise_n_m / m.reference * span, scene->noise_n_m / m.reference};
-    const rot_ode_params ode = {
-        .dim = DIM,
-        .controlled = 2,
-        .rhs = axle_rhs,
-        .ctx = &m,
-        .n_breaks = m.n_breaks,
-        .breaks = m.breaks,
-        .start_s = scene->linear.start_s,
-        .start = start,
-        /* Relative to theta, which may be half as large as theta less theta0. */
-        .accuracy = (scene->linear.theta0_rad == 0.0 ? 1.0 : 0.5) * options->accuracy,
-        .max_steps = options->max_steps,
-        .method = options->method,
-        .mode = &m.mode,
-        .turn = m.turns ? &turn : NULL,
-        .log = events,
-        .at_break = m.inertia.n ? cross_inertia : NULL,
-        .sloped = IMPULSE,
-        .noise = noise,
-        .kinks = has_kinks(scene),
-        .resolution = rot_ode_resolution(called, options->resolution),
-        .expensive = called,
-        .step_s = rot_ode_is_fixed(options->method) ? options->step_s : 0.0,
-        .positions = new_positions};
+    const rot_ode_params ode = {.dim = DIM,
+                                .controlled = 2,
+                                .rhs = axle_rhs,
+                                .ctx = &m,
+                                .n_breaks = m.n_breaks,
+                                .breaks = m.breaks,
+                                .start_s = scene->linear.start_s,
+                                .start = start,
+                                /* Relative to theta, which may be half of |theta - theta0|. */
+                                .accuracy = (scene->linear.theta0_rad == 0.0 ? 1.0 : 0.5) *
+                                            options->accuracy,
+                                .max_steps = options->max_steps,
+                                .method = options->method,
+                                .mode = &m.mode,
+                                .turn = m.turns ? &turn : NULL,
+                                .log = events,
+                                .at_break = m.inertia.n ? cross_inertia : NULL,
+                                .sloped = IMPULSE,
+                                .noise = noise,
+                                .kinks = has_kinks(scene),
+                                .resolution = rot_ode_resolution(called, options->resolution),
+                                .expensive = called,
+                                .step_s = rot_ode_is_fixed(options->method) ? options->step_s : 0.0,
+                                .positions = new_positions};
     failure = rot_ode_run(&ode, n, time_s, y, slope, error, largest, hooks, info);
     if (failure == ROT_ERHS) failure = ROT_ETORQUE;
     if (failure == ROT_EUNWIND || failure == ROT_ENOMEM) {

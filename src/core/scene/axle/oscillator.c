@@ -8,19 +8,19 @@
 #include "ground/real.h"
 #include "maths/oscillator.h"
 
-/* The response to the knots goes from piece to piece. The response to each wave is computed in one
- * step from rest at the start of the scene, and added: no knot adds to its error. */
+/* The response to the knots is computed piece by piece; the response to each wave in one step from
+ * rest at the start of the scene, and added: its error is independent of the knots. */
 
-/* exp(-z) has an error of 2^-1074 at least, and its factors are below 2^11 where that counts. */
-static const double min = 0x1p-1060;
+/* Absolute error of exp(-z): at least 2^-1074; its factors are below 2^11 where it matters. */
+static const double min_error = 0x1p-1060;
 
 typedef struct wave {
   double amplitude, omega, phase; /* omega >= 0, rad/s */
   double rate;                    /* omega per unit of time */
   rot_complex start;              /* exp(i (omega start_s + phase)) */
-  rot_complex steady;             /* the steady answer is Re(steady exp(i (omega t + phase))) */
+  rot_complex steady;             /* steady response: Re(steady exp(i (omega t + phase))) */
   double size;                    /* |steady| */
-  double loss;                    /* its relative error beyond 8 roundings: near resonance */
+  double loss;                    /* relative error of steady beyond 8 roundings: near resonance */
 } wave;
 
 typedef struct base_state {
@@ -28,13 +28,15 @@ typedef struct base_state {
   rot_dd theta;
   double omega;
   double theta_error, omega_error;
-  double norm_error; /* of both, in the norm of the energy, rad/s: it does not grow with pieces */
+  double norm_error; /* of both, in the energy norm, rad/s: does not grow with the pieces */
 } base_state;
 
 typedef struct swing {
   const rot_axle_scene *scene;
   rot_oscillator of;
-  double rest, unit_s, swing_rate; /* unit of time; sqrt(k/I) per second */
+  double rest;       /* rest angle of the spring */
+  double unit_s;     /* unit of time */
+  double swing_rate; /* sqrt(k/I), 1/s */
   size_t n_waves;
   wave *waves;
   int forward, well_scaled;
@@ -47,7 +49,7 @@ typedef struct swing {
 
 static int well_scaled(double x) { return rot_well_scaled(x, 1e60); }
 
-/* Product of n numbers times 2^e, divided by d. */
+/* Product of n numbers times 2^e, over d. */
 static double product(int plain, int n, const double x[], double d, int e) {
   if (plain) {
     double p = x[0];
@@ -63,13 +65,13 @@ static double product(int plain, int n, const double x[], double d, int e) {
 
 static int sloped(const rot_torque_piece *piece) { return piece->start_n_m != piece->end_n_m; }
 
-/* The sum of a step, and its errors. */
+/* Result of a step and its errors. */
 typedef struct step_sum {
   rot_dd theta;
   double omega, theta_error, omega_error;
 } step_sum;
 
-/* The torque at the base less the spring's: pull 2^e, and its error. */
+/* Torque at the base minus that of the spring: pull 2^e, its error. */
 static double net_pull(const swing *run, double a, rot_dd y, int *e, double *error) {
   const double k = run->of.stiffness;
   int ea = 0, ek = 0, ey = 0;
@@ -90,9 +92,11 @@ static double net_pull(const swing *run, double a, rot_dd y, int *e, double *err
   return rot_dd_sub((rot_dd){a, 0.0}, y).hi;
 }
 
-/* A step that is short against the slow time of the spring:
- *   theta = theta0 + omega0 psi_1 + pull/I psi_2 + slope/I psi_3.
- * For k -> 0 it is the free axle. */
+/* A step shorter than the slow time scale of the spring:
+ *
+ *   theta = theta0 + omega0 psi_1 + pull/I psi_2 + slope/I psi_3;
+ *
+ * for k -> 0 the free axle. */
 static void short_step(const swing *run, const rot_oscillator_step *step, double s, double a,
                        rot_dd y, step_sum *out) {
   const rot_torque_piece *piece = &run->piece;
@@ -118,7 +122,9 @@ static void short_step(const swing *run, const rot_oscillator_step *step, double
       roundings * (fabs(w0) * step->psi0_size + fabs(pulled_w) + fabs(risen_w)) + fabs(off_w);
 }
 
-/* A longer one: about the moving rest, a(t)/k - lag, lag = c slope/k^2, which moves at slope/k:
+/* A longer step, about the moving rest angle a(t)/k - lag with lag = c slope/k^2, which moves at
+ * slope/k:
+ *
  *   theta = rest + a(t)/k - lag + u dy + psi_1 dw. */
 static void long_step(const swing *run, const rot_oscillator_step *step, double t, double a,
                       rot_dd y, step_sum *out) {
@@ -141,17 +147,17 @@ static void long_step(const swing *run, const rot_oscillator_step *step, double 
   out->theta = rot_dd_add1(rot_dd_add1(rot_dd_sum2(run->rest, now), swung - lag), thrown);
   out->theta_error = roundings * (fabs(now) + fabs(lag) + fabs(thrown) + step->u_size * fabs(dy)) +
                      step->u_size * dy_error + psi1 * dw_error + step->u_phase * fabs(dy) +
-                     step->psi1_phase * fabs(dw) + min * (1.0 + fabs(dy) + fabs(dw));
+                     step->psi1_phase * fabs(dw) + min_error * (1.0 + fabs(dy) + fabs(dw));
   out->omega = drift + (step->psi0 * dw - w2 * step->psi1 * dy) / T;
   out->omega_error = roundings * fabs(drift) +
                      (step->psi0_size * (roundings * fabs(dw) + dw_error) +
                       w2 * psi1 * (roundings * fabs(dy) + dy_error) + step->u_phase * fabs(dw) +
-                      w2 * step->psi1_phase * fabs(dy) + min * (1.0 + fabs(dy) + fabs(dw))) /
+                      w2 * step->psi1_phase * fabs(dy) + min_error * (1.0 + fabs(dy) + fabs(dw))) /
                          T +
-                     min;
+                     min_error;
 }
 
-/* From the base to t in its piece. */
+/* base => response to the knots at t in its piece. */
 static void knots_step(const swing *run, const rot_oscillator_step *step, double t,
                        base_state *to) {
   const base_state *from = &run->base;
@@ -180,7 +186,7 @@ static void knots_step(const swing *run, const rot_oscillator_step *step, double
 
 /* ---- the waves ------------------------------------------------------------------------------ */
 
-/* exp(i (a t + b)), with the angle to twice the precision. */
+/* exp(i (a t + b)) with the angle in twice the precision. */
 static rot_complex turn(double a, double t, double b) {
   const rot_dd x = rot_dd_add1(rot_dd_mul2(a, t), b);
   const double c = cos(x.hi), s = sin(x.hi);
@@ -210,7 +216,7 @@ static void begin_wave(const swing *run, const rot_term *term, wave *out) {
       16.0 * ROT_DD_EPS * (of->stiff.hi + out->rate * out->rate) * hypot(steady.re, steady.im);
 }
 
-/* Steady response, less the free motion that equals it at the start. */
+/* Steady response minus the free motion equal to it at the start. */
 static void far_answer(const swing *run, const wave *w, const rot_oscillator_step *step, double t,
                        rot_axle_point *sum) {
   const double T = run->unit_s, w2 = run->of.stiff.hi, rate = w->rate, psi1 = fabs(step->psi1);
@@ -224,15 +230,17 @@ static void far_answer(const swing *run, const wave *w, const rot_oscillator_ste
       8.0 * ROT_DD_EPS * w->omega * (fabs(t) + fabs(run->scene->linear.start_s)) +
       8.0 * ROT_DD_EPS * fabs(w->phase);
   sum->theta_error += w->size * (relative * (1.0 + step->u_size + rate * psi1) + step->u_phase +
-                                 rate * step->psi1_phase + min * (1.0 + rate)) +
-                      min;
-  sum->omega_error += w->size *
-                          (relative * (rate + rate * step->psi0_size + w2 * psi1) +
-                           rate * step->u_phase + w2 * step->psi1_phase + min * (1.0 + rate)) /
-                          T +
-                      min;
+                                 rate * step->psi1_phase + min_error * (1.0 + rate)) +
+                      min_error;
+  sum->omega_error +=
+      w->size *
+          (relative * (rate + rate * step->psi0_size + w2 * psi1) + rate * step->u_phase +
+           w2 * step->psi1_phase + min_error * (1.0 + rate)) /
+          T +
+      min_error;
 }
 
+/* Response to one wave from rest at the start; far from resonance: far_answer(). */
 static void wave_answer(const swing *run, const wave *w, const rot_oscillator_step *step, double t,
                         rot_axle_point *sum) {
   const double s = t - run->scene->linear.start_s, I = run->of.inertia;
@@ -256,7 +264,7 @@ static void wave_answer(const swing *run, const wave *w, const rot_oscillator_st
   sum->omega_error += fabs(to_v) * relative * v_size;
 }
 
-/* All waves at t; `step` is from the base, and from the start of the scene only if that is it. */
+/* Adds all waves at t. step: from the base; usable only if the base is the start of the scene. */
 static void all_waves(const swing *run, const rot_oscillator_step *step, double t,
                       rot_axle_point *sum) {
   const double start = run->scene->linear.start_s;
@@ -286,7 +294,7 @@ static double piece_end(const void *model) {
   return run->forward ? run->piece.end_s : run->piece.start_s;
 }
 
-/* Knots and waves together. */
+/* base => state at t: knots and waves. */
 static void move(const swing *run, double t, base_state *to, rot_axle_point *state) {
   rot_oscillator_step step;
   rot_axle_point waves;
@@ -313,7 +321,7 @@ static void next_piece(void *model, rot_axle_point *at_end) {
   run->piece = rot_torque_piece_at(&run->scene->linear.torque, run->index);
 }
 
-/* The spring, if the model takes the scene. */
+/* scene => its spring; NULL: the model does not take the scene. */
 static const rot_term *the_spring(const rot_axle_scene *scene) {
   const rot_term *spring = NULL;
   if (!rot_axle_fits(scene, ROT_AXLE_OSCILLATOR_TAKES)) return NULL;
@@ -338,6 +346,7 @@ static int all_well_scaled(const rot_axle_scene *scene, const rot_term *spring) 
   return ok;
 }
 
+/* scene => constants of oscillator and waves. */
 static rot_status begin(const rot_axle_scene *scene, swing *run) {
   const rot_term *spring = the_spring(scene);
   *run = (swing){.scene = scene};
@@ -365,7 +374,7 @@ rot_status rot_axle_oscillator(const rot_axle_scene *scene, size_t n, const doub
                                const rot_hooks *hooks, rot_info *info) {
   static const rot_axle_pieces pieces = {restart, piece_end, next_piece, state_at};
   swing run;
-  (void)events; /* there are none */
+  (void)events; /* none occur */
   rot_info_clear(info, rot_turning);
   info->status = begin(scene, &run);
   if (info->status == ROT_OK) {

@@ -9,16 +9,16 @@
 
 typedef enum manner { STILL, TO_AND_FRO, SEPARATRIX, ALL_ROUND, TOO_NEAR } manner;
 
-/* Nearer to the top than this (rad, or omega/w0) squares of the distance would underflow. */
+/* Smallest distance from the top (rad, or omega/w0) whose square does not underflow. */
 static const double nearest_top = 1e-130;
 
-/* Times are in the unit 2^exponent s, in which w0 lies between 1/2 and 2. */
+/* Constants of a motion. Unit of time: 2^exponent s, such that w0 is in [1/2, 2]. */
 typedef struct pendulum {
   const rot_axle_scene *scene;
   manner manner;
   int forward;
   int exponent;
-  double half_turns;   /* phi = theta - rest - pi half_turns lies between -pi and pi at the start */
+  double half_turns;   /* phi = theta - rest - pi half_turns is in [-pi, pi] at the start */
   rot_dd sine, cosine; /* of phi/2 at the start; the cosine is >= 0 */
   rot_dd w0, speed;    /* speed 2^speed_exponent: omega0/(2 w0) */
   int speed_exponent;
@@ -26,20 +26,20 @@ typedef struct pendulum {
   int k_exponent;
   double sign;  /* of the rate of u */
   rot_dd rate;  /* of u: w0, or k w0 */
-  rot_dd start; /* u at the start, and its error */
+  rot_dd start; /* u at the start; its error */
   double start_error;
-  double top;  /* 2 k w0, the largest speed, in rad/s */
-  double size; /* k as a number: the sine of half the amplitude */
+  double top;  /* largest speed 2 k w0, rad/s */
+  double size; /* k as a double: sine of half the amplitude */
   rot_jacobi jacobi;
-  double m1_loss; /* relative error of m1; absolute on the separatrix */
+  double m1_loss; /* error of m1: relative; absolute on the separatrix */
 } pendulum;
 
 /* ---- the start ------------------------------------------------------------------------------ */
 
 static rot_dd square(rot_dd x) { return rot_dd_mul(x, x); }
 
-/* Sine and cosine of phi/2. The angle is reduced to the nearest hanging position before anything is
- * rounded, so that the smaller one keeps its digits near the top, too. */
+/* Sine and cosine of phi/2. The angle is reduced to the nearest hanging position before any
+ * rounding: the smaller one keeps its digits, also near the top. */
 static void half_angle(pendulum *out, double theta, double rest, double gravity) {
   const int hangs_up = gravity < 0.0;
   rot_dd r;
@@ -61,7 +61,7 @@ static void half_angle(pendulum *out, double theta, double rest, double gravity)
   out->half_turns = n + hangs_up;
 }
 
-/* A number near 1, and the power of two that it lacks. */
+/* x => number near 1, binary exponent. */
 static rot_dd split(rot_dd x, int *exponent) {
   (void)frexp(x.hi, exponent);
   return rot_dd_ldexp(x, -*exponent);
@@ -78,7 +78,7 @@ static void rates(pendulum *out, rot_dd inertia, rot_dd gravity, double omega) {
   out->speed_exponent = eo - 1 - half;
 }
 
-/* k^2 = sine^2 + speed^2, without over- or underflow. */
+/* k^2 = sine^2 + speed^2 without over- or underflow. */
 static void modulus(pendulum *out) {
   int es = 0, ev = 0;
   (void)frexp(out->sine.hi, &es);
@@ -92,8 +92,8 @@ static void modulus(pendulum *out) {
   out->size = ldexp(out->k.hi, out->k_exponent);
 }
 
-/* cosine^2 - speed^2 = 1 - k^2 over 4^e, the distance from the separatrix, as a product: the
- * difference is good to 2^-100 of cosine^2. */
+/* (1 - k^2) 4^-e = (cosine^2 - speed^2) 4^-e, the distance from the separatrix, as a product; error
+ * of the difference: 2^-100 of cosine^2. */
 static rot_dd distance(const pendulum *p, int e, double *error) {
   const rot_dd c = rot_dd_ldexp(p->cosine, -e);
   const rot_dd v = rot_dd_ldexp(rot_dd_abs(p->speed), p->speed_exponent - e);
@@ -109,7 +109,7 @@ static void begin_swing(pendulum *p, rot_dd m1) {
   p->rate = p->w0;
   p->start = rot_jacobi_argument(&p->jacobi, fabs(s.hi / p->k.hi), fabs(v.hi / p->k.hi),
                                  p->cosine.hi, &p->start_error);
-  if (v.hi < 0.0) { /* moving back: u is as far beyond K */
+  if (v.hi < 0.0) { /* moving back: u reflected at K */
     p->start = rot_dd_sub(rot_dd_ldexp(p->jacobi.k, 1), p->start);
   }
   if (s.hi < 0.0) p->start = rot_dd_neg(p->start);
@@ -119,7 +119,7 @@ static void begin_turning(pendulum *p, rot_dd over) {
   const rot_dd v = rot_dd_ldexp(rot_dd_abs(p->speed), p->speed_exponent - p->k_exponent);
   p->manner = ALL_ROUND;
   rot_jacobi_begin(rot_dd_div(over, square(p->k)), &p->jacobi);
-  p->rate = rot_dd_mul(p->k, p->w0); /* its exponent is in run_of_u() */
+  p->rate = rot_dd_mul(p->k, p->w0); /* its exponent: see run_of_u() */
   p->start =
       rot_jacobi_argument(&p->jacobi, p->sine.hi, p->cosine.hi, v.hi / p->k.hi, &p->start_error);
 }
@@ -133,6 +133,7 @@ static void begin_separatrix(pendulum *p, double error) {
   p->m1_loss = exact ? 0.0 : error;
 }
 
+/* state at the start => kind of motion, modulus, argument. */
 static void begin(pendulum *p, rot_dd inertia, rot_dd gravity, double theta, double rest,
                   double omega) {
   half_angle(p, theta, rest, gravity.hi);
@@ -163,15 +164,15 @@ static void begin(pendulum *p, rot_dd inertia, rot_dd gravity, double theta, dou
 
 /* ---- the motion ----------------------------------------------------------------------------- */
 
-/* u after s seconds. */
+/* s seconds => change of u. */
 static rot_dd run_of_u(const pendulum *p, rot_dd s) {
   const int e = p->manner == ALL_ROUND ? p->k_exponent - p->exponent : -p->exponent;
   const rot_dd run = rot_dd_ldexp(rot_dd_mul(p->rate, rot_dd_mul1(s, p->sign)), e);
   return rot_dd_add(run, p->start);
 }
 
-/* phi = pi half_turns + 2 half_phi, |half_phi| <= pi/4, so that small angles from the top
- * and from the bottom keep their digits. */
+/* phi = pi half_turns + 2 half_phi, |half_phi| <= pi/4: small angles from top and bottom keep their
+ * digits. */
 typedef struct pose {
   double half_phi, omega;
   rot_dd half_turns;
@@ -185,7 +186,7 @@ static void set_angle(pose *out, double sine, double cosine, double turns) {
   out->half_phi = high ? -side * atan2(cosine, fabs(sine)) : atan2(sine, cosine);
 }
 
-/* The error of u. Above 2^52 even the whole turns are rounded. */
+/* Error of u. Above 2^52 even the number of turns is rounded. */
 static double argument_error(const pendulum *p, rot_dd u, double turns) {
   const double uncounted =
       fabs(turns) > 0x1p52 ? p->jacobi.k.hi * (2.0 + 0x1p-51 * fabs(turns)) : 0.0;
@@ -193,7 +194,7 @@ static double argument_error(const pendulum *p, rot_dd u, double turns) {
          uncounted;
 }
 
-/* Relative roundings of sn, cn and dn at r, |r| <= K, and of their products. */
+/* Relative rounding of sn, cn, dn at r, |r| <= K, and of their products. */
 static double roundings(const pendulum *p, rot_dd r) {
   const double x = fabs(r.hi);
   return ROT_EPS * (18.0 + 6.0 * fmin(x, fabs(p->jacobi.k.hi - x)));
@@ -227,7 +228,7 @@ static void turning_pose(const pendulum *p, rot_dd u, pose *out) {
   out->omega_error = p->top * (roundings(p, r) * dn + m * fabs(sn * cn) * du);
 }
 
-/* A small m1 taken as 0 changes phi/2 by m1 sinh(u)/4. */
+/* Taking a small m1 as 0 changes phi/2 by m1 sinh(u)/4. */
 static void separatrix_pose(const pendulum *p, rot_dd u, pose *out) {
   const double sech = 1.0 / cosh(u.hi);
   const double du =
@@ -238,9 +239,10 @@ static void separatrix_pose(const pendulum *p, rot_dd u, pose *out) {
   out->omega_error = p->top * (8.0 * ROT_EPS * sech + du);
 }
 
-/* Results below the smallest normal double have an absolute error. */
-static const double min = 0x1p-1070;
+/* Absolute error of results below the smallest normal double. */
+static const double min_error = 0x1p-1070;
 
+/* t => angle, rate, their bounds. */
 static void state_at(const void *model, double t, rot_axle_point *state) {
   static const rot_dd pi = {0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
   const pendulum *p = model;
@@ -266,8 +268,8 @@ static void state_at(const void *model, double t, rot_axle_point *state) {
   state->omega_rad_per_s = at_t.omega;
   state->theta_error = 2.0 * (at_t.half_phi_error + 2.0 * ROT_EPS * fabs(at_t.half_phi)) +
                        ROT_EPS * fabs(state->theta_rad) +
-                       4.0 * ROT_DD_EPS * (fabs(whole.hi) + fabs(rest)) + min;
-  state->omega_error = at_t.omega_error + min;
+                       4.0 * ROT_DD_EPS * (fabs(whole.hi) + fabs(rest)) + min_error;
+  state->omega_error = at_t.omega_error + min_error;
 }
 
 static void restart(void *model, int forward) { ((pendulum *)model)->forward = forward; }
@@ -282,7 +284,7 @@ static int fits(const rot_axle_scene *scene) {
          term->from_s == -INFINITY && term->to_s == INFINITY && term->x[0] != 0.0;
 }
 
-static const double farthest = 1e15; /* rad: whole turns are counted exactly */
+static const double farthest = 1e15; /* rad: below it whole turns are exact */
 
 static rot_status begin_scene(pendulum *run, const rot_axle_scene *scene) {
   const rot_axle_params *p = &scene->linear;
@@ -299,7 +301,7 @@ rot_status rot_axle_pendulum(const rot_axle_scene *scene, size_t n, const double
                              const rot_hooks *hooks, rot_info *info) {
   static const rot_axle_pieces pieces = {restart, piece_end, NULL, state_at};
   pendulum run = {.scene = scene};
-  (void)events; /* there are none */
+  (void)events; /* none occur */
   rot_info_clear(info, rot_turning);
   if (!fits(scene)) return info->status = ROT_EVALUE;
   info->status = begin_scene(&run, scene);
@@ -307,11 +309,11 @@ rot_status rot_axle_pendulum(const rot_axle_scene *scene, size_t n, const double
   return rot_axle_by_pieces(scene, &pieces, &run, n, time_s, out, hooks, info);
 }
 
-/* The period of a motion that has begun, and its amplitude: Inf and pi on the separatrix and where
- * it is balanced, NaN where it rotates or cannot be resolved. */
+/* motion => period, amplitude: Inf and pi on the separatrix and if balanced; NaN if rotating or not
+ * resolved. */
 static double period_of(const pendulum *p, double *amplitude) {
   *amplitude = 0.0;
-  if (p->manner == STILL && p->sine.hi == 0.0) { /* the limit of small swings */
+  if (p->manner == STILL && p->sine.hi == 0.0) { /* limit of small swings */
     return ldexp(0x1.921fb54442d18p+2 / p->w0.hi, p->exponent);
   }
   if (p->manner == TO_AND_FRO) {

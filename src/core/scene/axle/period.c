@@ -20,14 +20,14 @@ static rot_period pendulum_period(const rot_axle_scene *scene) {
   return out;
 }
 
-/* The same torque at all times. */
+/* 1 if the torque is constant, else 0. */
 static int steady(const rot_torque *torque) {
   int same = torque->before_n_m == torque->after_n_m;
   for (size_t i = 0; i < torque->n; i++) same &= torque->torque_n_m[i] == torque->after_n_m;
   return same;
 }
 
-/* About the angle where the spring holds the torque. */
+/* Amplitude about the angle at which the spring balances the torque. */
 static double spring_amplitude(const rot_axle_scene *scene, const rot_oscillator *of) {
   const rot_axle_params *p = &scene->linear;
   const double *x = scene->terms[0].x;
@@ -37,6 +37,7 @@ static double spring_amplitude(const rot_axle_scene *scene, const rot_oscillator
   return hypot(away.hi, ldexp(p->omega0_rad_per_s / of->omega0, of->exponent));
 }
 
+/* Undamped, damped or overdamped oscillation. */
 static rot_period spring_period(const rot_axle_scene *scene) {
   rot_period out = {ROT_PERIOD_UNKNOWN, NAN, NAN, NAN};
   const double c = scene->linear.viscous_n_m_s, k = scene->terms[0].x[0];
@@ -67,6 +68,7 @@ static rot_period free_period(const rot_axle_scene *scene) {
   return (rot_period){ROT_PERIOD_ROTATION, two_pi.hi / omega, NAN, 1.0};
 }
 
+/* Closed form by the effects of the scene. */
 rot_period rot_axle_period(const rot_axle_scene *scene) {
   enum {
     LOSSES = ROT_AXLE_VISCOUS | ROT_AXLE_MOTOR | ROT_AXLE_QUADRATIC | ROT_AXLE_FRICTION,
@@ -84,9 +86,9 @@ rot_period rot_axle_period(const rot_axle_scene *scene) {
   rot_period out = {ROT_PERIOD_UNKNOWN, NAN, NAN, NAN};
   if (!steady(&scene->linear.torque)) return out;
   const unsigned others = effects & ~(unsigned)(LOSSES | ROT_AXLE_TORQUE);
-  if (!others) out.kind = ROT_PERIOD_NONE; /* losses alone bring nothing back */
+  if (!others) out.kind = ROT_PERIOD_NONE; /* losses have no restoring torque */
   if ((others == ROT_AXLE_GRAVITY || others == ROT_AXLE_SPRING) && lasts && effects & LOSSES) {
-    out.kind = ROT_PERIOD_DAMPED; /* no cycle is like another */
+    out.kind = ROT_PERIOD_DAMPED; /* all cycles differ */
   }
   return out;
 }

@@ -4,6 +4,7 @@
 
 #include "ground/real.h"
 
+/* The first piece is that of the start. */
 rot_axle_rest rot_axle_rest_from(const rot_axle_scene *scene, size_t n, const double time_s[],
                                  const rot_axle_columns *out, rot_events *events, rot_info *info) {
   const rot_axle_params *p = &scene->linear;
@@ -40,6 +41,7 @@ double rot_axle_rest_elapsed(const rot_axle_rest *rest, double t, double *lo) {
   return s;
 }
 
+/* Writes the row; notes its errors. */
 rot_status rot_axle_rest_row(rot_axle_rest *rest, size_t i, const rot_axle_change *by,
                              double applied) {
   const rot_axle_scene *scene = rest->scene;
@@ -49,7 +51,7 @@ rot_status rot_axle_rest_row(rot_axle_rest *rest, size_t i, const rot_axle_chang
   if (!(isfinite(theta) && isfinite(omega))) return ROT_ERANGE;
   rot_axle_scene_row(scene, out, i, rest->time_s[i], theta, omega, applied, base->stuck);
   if (omega == 0.0 && !base->stuck && scene->coulomb_n_m > 0.0) {
-    /* It starts to move: friction acts already. */
+    /* Breaking loose: kinetic friction acts. */
     out->damping_torque_n_m[i] = -copysign(scene->coulomb_n_m, applied);
     out->net_torque_n_m[i] = applied + out->damping_torque_n_m[i];
   }
@@ -94,6 +96,7 @@ rot_status rot_axle_rest_move(rot_axle_rest *rest, double time_s, double time_lo
   return ROT_OK;
 }
 
+/* Held at rest, or breaks loose: static friction against the torque. */
 rot_status rot_axle_rest_decide(rot_axle_rest *rest, double applied, int *leaves) {
   rot_axle_base *base = &rest->base;
   const double max = rest->scene->static_n_m;
@@ -101,7 +104,8 @@ rot_status rot_axle_rest_decide(rot_axle_rest *rest, double applied, int *leaves
   base->stuck = fabs(applied) <= max;
   *leaves = base->stuck ? 0 : applied > 0.0 ? 1 : -1;
   if (base->stuck) {
-    if (was_stuck || !(max > 0.0) || heading == 0) return ROT_OK; /* 0: at rest from the start */
+    if (was_stuck || !(max > 0.0) || heading == 0)
+      return ROT_OK; /* heading 0: at rest from the start */
     return rot_events_add(rest->events, base->time_s, ROT_EVENT_STICK);
   }
   base->settle_s = 0.0;

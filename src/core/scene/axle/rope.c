@@ -3,8 +3,8 @@
 #include <float.h>
 #include <math.h>
 
-/* With the moment I of all: T1 = m1 (g (I0 + 2 m2 r^2) - r tau)/I, and T2 = m2 (g (I0 + 2 m1 r^2) +
- * r tau)/I, so that g - a does not cancel. */
+/* With the total moment I: T1 = m1 (g (I0 + 2 m2 r^2) - r tau)/I, T2 = m2 (g (I0 + 2 m1 r^2) + r
+ * tau)/I: g - a does not cancel. */
 void rot_axle_rope_rows(const rot_axle_rope *rope, double whole, size_t n,
                         const rot_axle_columns *rows, double alpha[],
                         double *const mass[2][ROT_AXLE_OF_MASS]) {

@@ -33,7 +33,7 @@ const rot_column_of rot_axle_all_columns[ROT_AXLE_ALL_COLUMNS] = {
     ROT_AXLE_MASS_COLUMNS(X, "") ROT_AXLE_MASS_COLUMNS(X, "_1") ROT_AXLE_MASS_COLUMNS(X, "_2")
 #undef X
 };
-/* Their places: of a single mass, of two. */
+/* Indices of columns: of a single mass, of two masses. */
 enum { MOMENT = 7, ALPHA, SINGLE, FIRST = SINGLE + ROT_AXLE_OF_MASS };
 
 int rot_axle_shows(const void *built, size_t column) {
@@ -70,7 +70,7 @@ rot_status rot_axle_reduce(const void *built, unsigned without, rot_store *store
   return rot_axle_gather_breaks(scene, store);
 }
 
-/* Beside those of the scene that was solved: all torques, and what scenes of their own add. */
+/* Completes the columns: all torques, and columns of special scenes. */
 static void finish_rows(const rot_axle_built *axle, const rot_task *task, void *const column[],
                         const rot_info *info) {
   const rot_axle_scene *scene = &axle->scene;
@@ -97,7 +97,7 @@ static void finish_rows(const rot_axle_built *axle, const rot_task *task, void *
                      (double *const(*)[ROT_AXLE_OF_MASS])mass);
 }
 
-/* The error that the rounding of a train's own coefficients makes. */
+/* Adds the error due to the rounding of the coefficients of a gear train. */
 static void add_rounding(const rot_axle_built *axle, const rot_task *task, rot_info *info) {
   if (!axle->is_train || !task->n) return;
   double error[2];
@@ -113,7 +113,7 @@ static double step_of(const rot_axle_built *axle, const rot_task *task) {
   return rot_fixed_task_step_s(task, axle->scene.linear.start_s, &time_scales);
 }
 
-/* By a closed form, or integrated where there is none. */
+/* (closed form or NULL, scene, task) => rows, flows: closed form, or integration. */
 static rot_status run(rot_axle_model closed, const rot_axle_built *axle, const rot_task *task,
                       rot_method method, const rot_rows *rows, const rot_hooks *hooks,
                       rot_info *info) {

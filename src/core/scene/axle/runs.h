@@ -1,4 +1,4 @@
-/* The columns of a motion on an axle, and the runs of its models. */
+/* Columns of a motion on an axle, and the runs of its models. */
 #ifndef ROT_AXLE_RUNS_H
 #define ROT_AXLE_RUNS_H
 
@@ -10,9 +10,11 @@ enum { ROT_AXLE_ALL_COLUMNS = 21 };
 extern const rot_column_of rot_axle_all_columns[ROT_AXLE_ALL_COLUMNS];
 extern const rot_model_run rot_axle_runs[ROT_AXLE_MODELS];
 
-/* rot_constraint.start_s, .shows, .reduce */
+/* rot_constraint.start_s */
 double rot_axle_start_s(const void *built);
+/* rot_constraint.shows: column => 1 if the scene shows it, else 0. */
 int rot_axle_shows(const void *built, size_t column);
+/* rot_constraint.reduce: (scene, mask of effects) => scene without them. */
 rot_status rot_axle_reduce(const void *built, unsigned without, rot_store *store, void *to);
 
 #endif

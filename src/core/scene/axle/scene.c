@@ -56,6 +56,7 @@ int rot_axle_scene_sticks(const rot_axle_scene *scene, double omega, double appl
   return omega == 0.0 && scene->static_n_m > 0.0 && fabs(applied) <= scene->static_n_m;
 }
 
+/* Applied, resisting and net torque of each state. */
 void rot_axle_scene_torques(const rot_axle_scene *scene, size_t n, const double time_s[],
                             const double theta_rad[], const double omega_rad_per_s[],
                             double applied_n_m[], double damping_n_m[], double net_n_m[]) {
@@ -66,7 +67,7 @@ void rot_axle_scene_torques(const rot_axle_scene *scene, size_t n, const double 
     if (rot_axle_scene_sticks(scene, omega, applied)) {
       damping = 0.0 - applied;
     } else if (omega == 0.0 && applied != 0.0) {
-      damping -= copysign(scene->coulomb_n_m, applied); /* it breaks loose */
+      damping -= copysign(scene->coulomb_n_m, applied); /* breaking loose */
     }
     applied_n_m[i] = applied;
     damping_n_m[i] = damping;

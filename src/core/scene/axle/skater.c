@@ -6,14 +6,14 @@
 #include "scene/axle/pieces.h"
 #include "ground/dd.h"
 
-/* Inertia, torque and momentum are divided by 2^exponent, so that their sizes do not matter. */
+/* State of a run. Inertia, torque and momentum are divided by 2^exponent: no over- or underflow. */
 typedef struct skater {
   const rot_axle_scene *scene;
   rot_torque inertia; /* I(t) stored as a rot_torque, to reuse its interpolation */
   int exponent, forward;
   size_t inertia_index, torque_index;
   rot_torque_piece inertia_piece;
-  double torque; /* of the piece */
+  double torque; /* in the piece */
   double time_s, moment;
   rot_dd theta, momentum;
   double theta_error, momentum_error;
@@ -30,6 +30,7 @@ static void enter_piece(skater *run) {
   run->moment = moment_at(run, run->time_s);
 }
 
+/* Base and pieces at the start, scaled. */
 static void restart(void *model, int forward) {
   skater *run = model;
   const rot_axle_params *p = &run->scene->linear;
@@ -41,7 +42,7 @@ static void restart(void *model, int forward) {
   run->theta = (rot_dd){p->theta0_rad, 0.0};
   run->momentum = rot_dd_mul2(I, p->omega0_rad_per_s);
   enter_piece(run);
-  /* I at a time between knots is good to 3 ulp. */
+  /* Error of I between knots: 3 ulp. */
   const rot_torque_piece *piece = &run->inertia_piece;
   const int known = piece->start_n_m == piece->end_n_m || t == piece->start_s || t == piece->end_s;
   run->theta_error = 0.0;
@@ -58,9 +59,9 @@ static double piece_end(const void *model) {
 
 /* (x - log(1 + x)) / x^2 for -1/2 <= x <= 2, from log(1 + x) = 2 atanh(v), v = x/(2 + x):
  *
- *   1/(2 + x) - 2 v/(2 + x)^2 (1/3 + v^2/5 + v^4/7 + ...),
+ *   1/(2 + x) - 2 v/(2 + x)^2 (1/3 + v^2/5 + v^4/7 + ...).
  *
- * where the second term is at most a third of the first. 26 terms leave 2^-56 at v = 1/2. */
+ * The second term is at most a third of the first. 26 terms: truncation error 2^-56 at v = 1/2. */
 static double second_log(double x) {
   const double v = x / (2.0 + x), v2 = v * v, y = 1.0 / (2.0 + x);
   double sum = 0.0;
@@ -68,7 +69,7 @@ static double second_log(double x) {
   return y - 2.0 * v * sum * y * y;
 }
 
-/* With x = I/I0 - 1 the angle is omega0 s first + (torque s^2/I0) second. */
+/* x = I/I0 - 1 => first, second of the angle omega0 s first + (torque s^2/I0) second. */
 static void log_weights(const skater *run, double t, double s, double *first, double *second) {
   const rot_torque_piece *piece = &run->inertia_piece;
   if (piece->start_n_m == piece->end_n_m || s == 0.0) {
@@ -81,22 +82,23 @@ static void log_weights(const skater *run, double t, double s, double *first, do
   if (x >= -0.5 && x <= 2.0) {
     *first = x != 0.0 ? log1p(x) / x : 1.0;
     *second = second_log(x);
-  } else { /* towards x = -1 the digits of 1 + x are those of I itself */
+  } else { /* towards x = -1: 1 + x is I/I0, with all its digits */
     const double moment = moment_at(run, t), change = (moment - run->moment) / run->moment;
     *first = log(moment / run->moment) / change;
     *second = (1.0 - *first) / change;
   }
 }
 
-/* a/b of a sum a and a number b, to half an ulp. */
+/* a/b to half an ulp. */
 static double quotient(rot_dd a, double b) {
   const double q = a.hi / b;
   return isfinite(q) ? q + (fma(-q, b, a.hi) + a.lo) / b : q;
 }
 
-/* Roundings of either term of the angle: 3 of I0, 3 to 8 of a weight, and those of the product. */
+/* Rounding of each term of the angle: 3 of I0, 3 to 8 of a weight, those of the product. */
 static const double angle_roundings = 24.0 * ROT_EPS;
 
+/* base => state at t in its pieces. */
 static void move(const skater *run, double t, skater *to) {
   const rot_dd s = rot_dd_sum2(t, -run->time_s);
   double first, second;
@@ -126,7 +128,7 @@ static void state_at(const void *model, double t, rot_axle_point *state) {
   const skater *run = model;
   skater at;
   move(run, t, &at);
-  if (t == run->time_s) { /* after a jump, also on the way back */
+  if (t == run->time_s) { /* after a jump, also backward in time */
     at.moment = ldexp(rot_torque_at(&at.inertia, t), -at.exponent);
   }
   read_state(&at, state);
@@ -147,6 +149,7 @@ static void next_piece(void *model, rot_axle_point *at_end) {
   enter_piece(run);
 }
 
+/* Exponent of the scale, then rows by pieces. */
 rot_status rot_axle_skater(const rot_axle_scene *scene, size_t n, const double time_s[],
                            const rot_axle_columns *out, rot_events *events, const rot_hooks *hooks,
                            rot_info *info) {
@@ -154,7 +157,7 @@ rot_status rot_axle_skater(const rot_axle_scene *scene, size_t n, const double t
   skater run = {.scene = scene};
   const double I = scene->linear.inertia_kg_m2, *moments = scene->inertia_kg_m2;
   const size_t knots = scene->n_inertia;
-  (void)events; /* there are none */
+  (void)events; /* none occur */
   rot_info_clear(info, rot_turning);
   if (!rot_axle_fits(scene, ROT_AXLE_SKATER_TAKES)) return info->status = ROT_EVALUE;
   run.inertia = (rot_torque){knots,

@@ -8,7 +8,7 @@
 #include "ground/parallel.h"
 #include "ground/simd.h"
 
-/* Rows between two polls: some milliseconds. */
+/* Rows between two polls: some ms. */
 enum { LINEAR_PART = 2048, SCENE_PART = 16 };
 
 static inline double larger(double x, double y) { return x > y ? x : y; } /* fmax() is a call */
@@ -18,9 +18,9 @@ static inline double larger(double x, double y) { return x > y ? x : y; } /* fma
 typedef struct linear_frame {
   const rot_axle_sweep_rows *rows;
   const rot_axle_sweep_columns *out;
-  const rot_torque_piece *pieces; /* from the one that holds the start */
-  double start_n_m;               /* just after the start */
-  int well_scaled;                /* all knots are */
+  const rot_torque_piece *pieces; /* from the piece of the start on */
+  double start_n_m;               /* torque just after the start */
+  int well_scaled;                /* 1: all knots are */
 } linear_frame;
 
 static int well_scaled(double x) { return rot_well_scaled(x, 1e40); }
@@ -42,7 +42,7 @@ static void pass_pieces(const linear_frame *frame, block *x) {
   }
 }
 
-/* ---- a row of any numbers ------------------------------------------------------------------ */
+/* ---- rows of any magnitude ------------------------------------------------------------------- */
 
 static inline void note(block *x, size_t l, double time_s, double omega, double omega_error) {
   if (omega > x->omega_max[l]) {
@@ -69,7 +69,7 @@ static void put_row(const rot_axle_sweep_columns *out, size_t i, const block *x,
   out->status[i] = (int)status;
 }
 
-/* A turn inside the piece, as in scene/axle/sweep_kernel.h, for any numbers. */
+/* Extremum of omega inside the piece, as in scene/axle/sweep_kernel.h, for any numbers. */
 static void step_turn(block *x, size_t l, const rot_axle_params *p, const rot_axle_state *from,
                       const rot_axle_state *to, const rot_torque_piece *piece) {
   const double a = rot_torque_in_piece(piece, from->time_s);
@@ -85,6 +85,7 @@ static void step_turn(block *x, size_t l, const rot_axle_params *p, const rot_ax
   note(x, l, turn.time_s, turn.omega_rad_per_s, turn.omega_error);
 }
 
+/* Row l through all pieces by rot_axle_step(). */
 static rot_status step_pieces(const linear_frame *frame, double I, block *x, size_t l) {
   const double end_s = x->end_s[l], scale = x->scale[l];
   const rot_axle_params p = {.inertia_kg_m2 = I,
@@ -112,7 +113,7 @@ static rot_status step_pieces(const linear_frame *frame, double I, block *x, siz
   return ROT_OK;
 }
 
-/* A row at its start. */
+/* A row => place l of the block, at its start. */
 static void fill_place(block *b, size_t l, double I, double c, double scale, double start_s,
                        double end_s, double theta0, double w0) {
   b->c[l] = c;
@@ -130,13 +131,14 @@ static void fill_place(block *b, size_t l, double I, double c, double scale, dou
 static void put_block(const linear_frame *frame, block *b, const size_t row[], size_t filled) {
   const double start_s = frame->rows->start_s;
   if (filled == 0) return;
-  for (size_t l = filled; l < BLOCK; l++) { /* empty places end where they start */
+  for (size_t l = filled; l < BLOCK; l++) { /* empty places: final time at the start */
     fill_place(b, l, 1.0, 0.0, 0.0, start_s, start_s, 0.0, 0.0);
   }
   pass_pieces(frame, b);
   for (size_t l = 0; l < filled; l++) put_row(frame->out, row[l], b, l, ROT_OK);
 }
 
+/* Rows first to last - 1: well-scaled ones in blocks, others one by one. */
 static void linear_rows(const void *data, size_t first, size_t last) {
   const linear_frame *frame = data;
   const rot_axle_sweep_rows *rows = frame->rows;
@@ -165,6 +167,7 @@ static void linear_rows(const void *data, size_t first, size_t last) {
   put_block(frame, &b, row, filled);
 }
 
+/* Pieces of the torque once, then rows in parallel. */
 rot_status rot_axle_sweep_linear(const rot_torque *torque, const rot_axle_sweep_rows *rows,
                                  int threads, const rot_axle_sweep_columns *out,
                                  const rot_hooks *hooks, rot_info *info) {
@@ -198,6 +201,7 @@ typedef struct scene_frame {
   int true_maximum;
 } scene_frame;
 
+/* Row i: scene with the numbers of the row, one run of the model. */
 static rot_status run_scene(const scene_frame *frame, size_t i, double torque_n_m[], double row[7],
                             rot_info *info) {
   const rot_axle_sweep_rows *rows = frame->rows;
@@ -229,6 +233,7 @@ static rot_status run_scene(const scene_frame *frame, size_t i, double torque_n_
   return frame->model(&scene, 1, &end_s, &to, NULL, NULL, info);
 }
 
+/* Rows first to last - 1 by the model. */
 static void scene_rows(const void *data, size_t first, size_t last) {
   const scene_frame *frame = data;
   const rot_axle_sweep_columns *out = frame->out;

@@ -1,9 +1,8 @@
-/* The kernel of scene/axle/sweep.c: a block of axles through one piece of the torque law. Compiled
- * for registers of two there and for registers of four in scene/axle/sweep_kernel.c.
+/* Batch kernel of scene/axle/sweep.c: a block of axles through one piece of the torque law.
+ * Compiled for registers of two lanes there, of four in scene/axle/sweep_kernel.c.
  *
- * A row of any numbers goes by rot_axle_step(), whose products and divisions keep the digits of
- * numbers of any size: 1190 ns for four pieces, against 65 here and 191 by this text for doubles
- * (ROT_ALONE). */
+ * rot_axle_step(), for rows of any magnitude, has products and divisions that keep all digits: 1190
+ * ns for four pieces, against 65 here and 191 by this text for doubles (ROT_ALONE). */
 #ifndef ROT_AXLE_SWEEP_PASS_H
 #define ROT_AXLE_SWEEP_PASS_H
 
@@ -15,22 +14,25 @@
 enum { ROT_AXLE_SWEEP_BLOCK = 32 };
 
 typedef struct rot_axle_sweep_block {
-  double c[ROT_AXLE_SWEEP_BLOCK], inverse[ROT_AXLE_SWEEP_BLOCK],
-      lambda[ROT_AXLE_SWEEP_BLOCK]; /* c, 1/I, c/I */
-  double scale[ROT_AXLE_SWEEP_BLOCK], end_s[ROT_AXLE_SWEEP_BLOCK];
+  double c[ROT_AXLE_SWEEP_BLOCK];
+  double inverse[ROT_AXLE_SWEEP_BLOCK]; /* 1/I */
+  double lambda[ROT_AXLE_SWEEP_BLOCK];  /* c/I */
+  double scale[ROT_AXLE_SWEEP_BLOCK];   /* of the torque */
+  double end_s[ROT_AXLE_SWEEP_BLOCK];   /* final time of the axle */
   double time_s[ROT_AXLE_SWEEP_BLOCK], theta[ROT_AXLE_SWEEP_BLOCK], omega[ROT_AXLE_SWEEP_BLOCK];
   double theta_error[ROT_AXLE_SWEEP_BLOCK], omega_error[ROT_AXLE_SWEEP_BLOCK];
-  double omega_max[ROT_AXLE_SWEEP_BLOCK], omega_max_time_s[ROT_AXLE_SWEEP_BLOCK],
-      omega_min[ROT_AXLE_SWEEP_BLOCK], theta_max[ROT_AXLE_SWEEP_BLOCK],
-      worst_error[ROT_AXLE_SWEEP_BLOCK]; /* of omega, so far */
+  /* Extremes so far; worst_error: of omega. */
+  double omega_max[ROT_AXLE_SWEEP_BLOCK], omega_max_time_s[ROT_AXLE_SWEEP_BLOCK];
+  double omega_min[ROT_AXLE_SWEEP_BLOCK], theta_max[ROT_AXLE_SWEEP_BLOCK];
+  double worst_error[ROT_AXLE_SWEEP_BLOCK];
 } rot_axle_sweep_block;
 
-/* phi0, phi1, g1, phi2, phi3 of -z for two steps. */
+/* Weights of a step in each lane. */
 typedef struct weights {
-  rot_pair start, reach, near, far, last;
+  rot_pair start, reach, near, far, last; /* phi0, phi1, g1, phi2, phi3 of -z */
 } weights;
 
-/* 0 <= z <= 1, in interleaved sums; the truncation error is below 2^-54 of the first term. */
+/* phi3(-z), 0 <= z <= 1, by interleaved sums; truncation error below 2^-54 of the first term. */
 ROT_INLINE rot_pair phi3_below_1(rot_pair z) {
 #define C(x) (1 / x)
   const rot_pair zz = z * z, z4 = zz * zz, z8 = z4 * z4;
@@ -45,7 +47,7 @@ ROT_INLINE rot_pair phi3_below_1(rot_pair z) {
   return p - z * q;
 }
 
-/* Downward from the series below z = 1. */
+/* z <= 1: downward recursion from the series. */
 ROT_INLINE weights weights_below(rot_pair z) {
   weights w;
   w.last = phi3_below_1(z);
@@ -56,7 +58,7 @@ ROT_INLINE weights weights_below(rot_pair z) {
   return w;
 }
 
-/* Upward from the exponential above, where that loses less than a factor of ten. */
+/* z > 1: upward recursion from the exponential, which loses less than a factor of ten. */
 ROT_INLINE weights weights_above(rot_pair z) {
   const rot_pair one = ROT_BOTH(1.0), max = ROT_BOTH(700.0), each = one / z;
   weights w;
@@ -68,7 +70,7 @@ ROT_INLINE weights weights_above(rot_pair z) {
   return w;
 }
 
-/* Each lane by its own z: no row depends on its neighbour. */
+/* Each lane by its own z: rows are independent. */
 ROT_INLINE weights weights_of(rot_pair z) {
   const rot_pair one = ROT_BOTH(1.0);
   const int above = rot_pair_count_more(z, one);
@@ -85,18 +87,17 @@ ROT_INLINE weights weights_of(rot_pair z) {
   return w;
 }
 
-/* Two steps at a time and more. `most` bounds the torque in the piece, unscaled. The weights of
- * omega are good to 10 units at z = 1, where they are worst, those of theta to 20; with products,
- * sums, the rounding of z and a torque inside the piece 16 + 3 z and 24. g1 + phi2 = phi1. A step
- * of no length changes nothing.
+/* Extremum of omega inside a piece, with its error. Errors of the weights: of omega at most 10
+ * units (worst at z = 1), of theta 20; with products, sums, the rounding of z and a torque inside
+ * the piece: 16 + 3 z and 24. g1 + phi2 = phi1.
  *
- * Inside the piece omega has its extremum where I A = excess at the start vanishes:
- * exp(c s/I) = 1 - (c/I) excess/slope. From c s/I = 1 on, omega there is torque/c. */
+ * The extremum is where I A vanishes (I A = excess at the start): exp(c s/I) = 1 - (c/I)
+ * excess/slope. From c s/I = 1 on, omega is torque/c there. */
 ROT_INLINE void pass_turns(rot_axle_sweep_block *x, size_t i, rot_pair turns, rot_pair stop,
                            rot_pair s, rot_pair a, rot_pair b, rot_pair w0, rot_pair excess) {
   const rot_pair none = ROT_BOTH(0.0), one = ROT_BOTH(1.0), c = rot_load(x->c + i);
   const rot_pair lambda = rot_load(x->lambda + i);
-  /* Lanes without an extremum get harmless numbers. */
+  /* Lanes without an extremum get neutral numbers. */
   const rot_pair rise = rot_pair_if(turns, b - a, one);
   const rot_pair straight = rot_pair_if(turns, none - excess, none) * s / rise;
   const rot_pair more = lambda * straight, tiny = ROT_BOTH(1e-290);
@@ -109,14 +110,14 @@ ROT_INLINE void pass_turns(rot_axle_sweep_block *x, size_t i, rot_pair turns, ro
   const rot_pair max = rot_pair_max(rot_pair_abs(a), rot_pair_abs(b)), size = rot_pair_abs(w0);
   const weights w = weights_of(z);
   const rot_pair below = w0 * w.start + v * (a * w.near + torque * w.far);
-  /* one - tiny < 1: z >= 1 is in the steady state. */
+  /* 1 - eps < 1: z >= 1 takes the steady state. */
   const rot_pair last = ROT_BOTH(1.0 - ROT_EPS), each = one / rot_pair_if_more(z, last, c, one);
   const rot_pair omega = rot_pair_if_more(z, last, torque * each, below);
   const rot_pair unit = ROT_BOTH(ROT_EPS);
   const rot_pair error =
       rot_load(x->omega_error + i) +
       rot_pair_if_more(z, last, 12.0 * unit * (max * each + size), 16.0 * unit * (size + v * max));
-  /* The end of the step is already noted; the extremum lies beyond it, up to rounding. */
+  /* The end of the step is already recorded; the extremum exceeds it, up to rounding. */
   const rot_pair top = rot_load(x->omega_max + i), when = rot_load(x->omega_max_time_s + i);
   const rot_pair beyond = rot_pair_if(excess, rot_pair_if_more(stop, when, none, inside), none);
   const rot_pair higher = rot_pair_if_more(omega, top, inside, beyond);
@@ -127,7 +128,8 @@ ROT_INLINE void pass_turns(rot_axle_sweep_block *x, size_t i, rot_pair turns, ro
   rot_store(x->worst_error + i, rot_pair_if(inside, rot_pair_max(error, worst), worst));
 }
 
-/* From where each axle is to the end of the piece, or to its own end. */
+/* Each axle from its time to the end of the piece, or to its final time. A step of length 0 changes
+ * nothing. */
 ROT_INLINE void pass_block(rot_axle_sweep_block *x, const rot_torque_piece *piece,
                            double start_n_m) {
   const rot_pair none = ROT_BOTH(0.0), eps = ROT_BOTH(ROT_EPS), end = ROT_BOTH(piece->end_s);
@@ -182,7 +184,7 @@ ROT_INLINE void pass_block(rot_axle_sweep_block *x, const rot_torque_piece *piec
   }
 }
 
-/* The same for registers of four. */
+/* pass_block() for registers of four lanes. */
 void rot_axle_sweep_pass_simd(rot_axle_sweep_block *block, const rot_torque_piece *piece,
                               double start_n_m);
 

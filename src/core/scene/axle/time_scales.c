@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-/* The steepest line of a torque-speed curve. */
+/* Largest |slope| of a torque-speed curve. */
 static double steepest(const rot_term *curve) {
   const size_t n = (size_t)curve->x[0];
   const double *omega = curve->x + 1, *torque = omega + n;
@@ -13,6 +13,7 @@ static double steepest(const rot_term *curve) {
   return slope;
 }
 
+/* Sums the decays, takes the fastest oscillation of the loads. */
 rot_axle_rates rot_axle_rates_of(const rot_axle_scene *scene, double omega) {
   double inertia = scene->linear.inertia_kg_m2;
   for (size_t i = 0; i < scene->n_inertia; i++) inertia = fmin(inertia, scene->inertia_kg_m2[i]);
@@ -21,7 +22,7 @@ rot_axle_rates rot_axle_rates_of(const rot_axle_scene *scene, double omega) {
   rot_axle_rates rates = {falls / inertia, 0.0};
   for (size_t i = 0; i < scene->n_terms; i++) {
     const rot_term *term = &scene->terms[i];
-    /* A quotient of roots: that of the numbers may underflow. */
+    /* Quotient of roots: the root of the quotient may underflow. */
     const double own = sqrt(fabs(term->x[0])) / sqrt(inertia);
     double decay = 0.0, swing = 0.0;
     switch (term->kind) {
@@ -29,7 +30,7 @@ rot_axle_rates rot_axle_rates_of(const rot_axle_scene *scene, double omega) {
     case ROT_TERM_EXPONENTIAL: decay = fabs(term->x[1]); break;
     case ROT_TERM_CURVE: decay = steepest(term) / inertia; break;
     case ROT_TERM_SPRING: decay = swing = own; break;
-    case ROT_TERM_GRAVITY: /* it goes around with the angle: as fast as the body turns */
+    case ROT_TERM_GRAVITY: /* periodic in the angle: as fast as the body rotates */
       decay = 2.0 * own;
       swing = fmax(decay, omega);
       break;

@@ -6,17 +6,18 @@
 
 #include "ground/exact.h"
 
-/* Sums and products are of a wider type, as R has them. */
-typedef long double simd;
+/* Extended type for sums and products, as in R. */
+typedef long double extended;
 
 static double sum_of(size_t n, const double x[]) {
-  simd sum = 0.0L;
+  extended sum = 0.0L;
   for (size_t i = 0; i < n; i++) sum += x[i];
   return (double)sum;
 }
 
-/* ---- the shafts at the first ----------------------------------------------------------------- */
+/* ---- conversion to the first shaft ----------------------------------------------------------- */
 
+/* Products of the ratios, then each number at the first shaft. */
 rot_status rot_axle_train_reflect(size_t n, const double ratio[], const double inertia_kg_m2[],
                                   const double viscous_n_m_s[], const double torque_n_m[],
                                   const double efficiency[], rot_store *store, rot_axle_train *to) {
@@ -24,12 +25,12 @@ rot_status rot_axle_train_reflect(size_t n, const double ratio[], const double i
   double *inertia = rot_store_get(store, n, sizeof *inertia);
   double *viscous = rot_store_get(store, n, sizeof *viscous);
   double *torque = rot_store_get(store, n, sizeof *torque);
-  simd product = 1.0L;
+  extended product = 1.0L;
   if (!first || !inertia || !viscous || !torque) return ROT_ENOMEM;
   for (size_t i = 0; i < n; i++) {
     if (i) product *= ratio[i - 1];
     first[i] = (double)product;
-    /* Two divisions: the square of a ratio may overflow where the result does not. */
+    /* Two divisions: the square of a ratio may overflow where the quotient does not. */
     inertia[i] = inertia_kg_m2[i] / first[i] / first[i];
     viscous[i] = viscous_n_m_s[i] / first[i] / first[i];
     torque[i] = torque_n_m[i] / first[i];
@@ -40,15 +41,14 @@ rot_status rot_axle_train_reflect(size_t n, const double ratio[], const double i
 
 /* ---- power through the meshes ---------------------------------------------------------------- */
 
-/* The products of the factors u/X of the meshes before each shaft, where shaft i takes own[i]
- * itself. */
+/* Products of the factors u/X of the meshes before each shaft; shaft i takes own[i]. */
 static void mesh_gains(size_t n, const double own[], const double efficiency[], double gain[]) {
   double taken = own[n - 1];
   for (size_t i = n - 1; i-- > 0;) {
     gain[i + 1] = taken > 0.0 ? 1.0 / efficiency[i] : efficiency[i];
     taken = own[i] + gain[i + 1] * taken;
   }
-  simd product = gain[0] = 1.0;
+  extended product = gain[0] = 1.0;
   for (size_t i = 1; i < n; i++) gain[i] = (double)(product *= gain[i]);
 }
 
@@ -59,19 +59,20 @@ void rot_axle_train_steady(const rot_axle_train *train, double torque_n_m[]) {
   for (size_t i = 0; i < n; i++) torque_n_m[i] *= train->torque_n_m[i];
 }
 
-/* One sense of rotation: sign times the torques, for w >= 0. The last two are room for n. */
+/* One direction of rotation: sign times the torques, for w >= 0. */
 typedef struct side {
   const rot_axle_train *train;
-  double sign;
-  double *own, *gain;
+  double sign;        /* 1 or -1 */
+  double *own, *gain; /* n each, scratch */
 } side;
 
-/* The acceleration a at w, and the line start + slope w of these power flows. */
+/* Acceleration a at w, and the line start + slope w of the power flows there. */
 typedef struct line {
   double a, start, slope, w;
 } line;
 
-/* Newton's iteration, which a convex function of finitely many lines ends. */
+/* w => line, by Newton's iteration: finite, since the function is convex with finitely many
+ * lines. */
 static line line_at(const side *at, double w) {
   const rot_axle_train *t = at->train;
   const size_t n = t->n;
@@ -79,7 +80,7 @@ static line line_at(const side *at, double w) {
   line to = {.w = w};
   to.a = (force - sum_of(n, t->viscous_n_m_s) * w) / sum_of(n, t->inertia_kg_m2);
   for (size_t turn = 0; turn < 10 + 4 * n; turn++) {
-    simd inertia = 0.0L, start = 0.0L, slope = 0.0L;
+    extended inertia = 0.0L, start = 0.0L, slope = 0.0L;
     for (size_t i = 0; i < n; i++) {
       at->own[i] =
           t->inertia_kg_m2[i] * to.a - at->sign * t->torque_n_m[i] + t->viscous_n_m_s[i] * w;
@@ -93,15 +94,15 @@ static line line_at(const side *at, double w) {
     to.start = (double)start / (double)inertia;
     to.slope = -(double)slope / (double)inertia;
     const double now = to.start + to.slope * w;
-    if (now >= to.a && turn > 0) break; /* it falls to the zero from above */
+    if (now >= to.a && turn > 0) break; /* decreases to the zero from above */
     to.a = now;
   }
   return to;
 }
 
-/* ---- where power flows change ---------------------------------------------------------------- */
+/* ---- changes of power flow ------------------------------------------------------------------- */
 
-enum { MAX_BENDS = 4096 }; /* recursions on the way to one, as well */
+enum { MAX_BENDS = 4096 }; /* limit of their number and of recursions */
 
 typedef struct bends {
   size_t count;
@@ -118,7 +119,7 @@ static int same_line(const line *a, const line *b) {
   return a->slope == b->slope && a->start == b->start;
 }
 
-/* Where two lines of the concave a(w) meet, between them and recursively. */
+/* Bends of the concave a(w) between two lines, recursively at their intersections. */
 static rot_status find_bends(const side *at, const line *left, const line *right, size_t depth,
                              bends *b) {
   const double fall = left->slope - right->slope;
@@ -136,16 +137,19 @@ static rot_status find_bends(const side *at, const line *left, const line *right
   return status == ROT_OK ? find_bends(at, &here, right, depth + 1, b) : status;
 }
 
-/* From rest: the acceleration, the slope at high rates, the least resistance. */
+/* Behaviour from rest. */
 typedef struct from_rest {
-  double a, last, min;
+  double a;    /* acceleration at rest */
+  double last; /* slope at high rates */
+  double min;  /* smallest |slope| */
   bends bends;
 } from_rest;
 
+/* side => acceleration at rest, bends, slope beyond all bends. */
 static rot_status look_ahead(const side *at, rot_store *store, from_rest *to) {
   const rot_axle_train *t = at->train;
   side still = *at;
-  simd gain = 1.0L, force = 0.0L;
+  extended gain = 1.0L, force = 0.0L;
   still.sign = 0.0;
   to->bends = (bends){0, rot_store_get(store, MAX_BENDS, sizeof(double))};
   if (!to->bends.w) return ROT_ENOMEM;
@@ -157,7 +161,7 @@ static rot_status look_ahead(const side *at, rot_store *store, from_rest *to) {
     if (i + 1 < t->n) gain *= t->efficiency[i];
   }
   if (to->last == 0.0 || force == 0.0L) return ROT_OK;
-  /* Beyond all bends: the resistance exceeds the torques by far. */
+  /* Rate beyond all bends: the resistance exceeds the torques by far. */
   const double through = (double)gain;
   double far = 1e3 * (double)force / (through * through) / sum_of(t->n, t->viscous_n_m_s);
   const double near = 1e-15 * far;
@@ -166,7 +170,7 @@ static rot_status look_ahead(const side *at, rot_store *store, from_rest *to) {
     far *= 8.0;
     outer = line_at(at, far);
   }
-  /* Just above rest a mesh without power at rest has its direction. */
+  /* Just above rest a mesh without power at rest has a direction. */
   const line beside = line_at(at, near);
   to->min = fabs(beside.slope);
   if (!(far > 0.0 && isfinite(far))) return ROT_OK;
@@ -175,12 +179,12 @@ static rot_status look_ahead(const side *at, rot_store *store, from_rest *to) {
 
 /* ---- the law --------------------------------------------------------------------------------- */
 
-/* By a count of roundings: 3 n of the ratios and gains of each term, and of the sums; times what
- * the meshes amplify. */
+/* Rounding of the law: 3 n of the ratios and gains of each term, and of the sums; times the
+ * amplification of the meshes. */
 static void set_rounding(const rot_axle_train *t, int lossy, double alpha,
                          rot_axle_train_law *law) {
   const double count = DBL_EPSILON / 2.0 * (3.0 * (double)t->n + 3.0);
-  simd product = 1.0L, whole = 0.0L, felt = 0.0L, torque = 0.0L, viscous = 0.0L, sum = 0.0L;
+  extended product = 1.0L, whole = 0.0L, felt = 0.0L, torque = 0.0L, viscous = 0.0L, sum = 0.0L;
   for (size_t i = 0; i < t->n; i++) {
     if (i) product *= 1.0 / t->efficiency[i - 1];
     const double gain = (double)product;
@@ -195,7 +199,7 @@ static void set_rounding(const rot_axle_train *t, int lossy, double alpha,
   law->rounding[1] = count * fraction * (double)viscous;
 }
 
-/* The points of a side's bends, outward: torques beside that at rest. */
+/* Curve points at the bends of a side, outward: torques relative to that at rest. */
 static void curve_points(const side *at, const from_rest *of, double inertia, double viscous,
                          double omega[], double torque[], size_t first) {
   for (size_t i = 0; i < of->bends.count; i++) {
@@ -215,11 +219,12 @@ static double neumaier(size_t n, const double x[]) {
   return isfinite(rest) ? sum + rest : sum;
 }
 
+/* Both directions: torque, viscous slope, curve, dry friction of the losses. */
 rot_status rot_axle_train_law_of(const rot_axle_train *t, rot_store *store,
                                  rot_axle_train_law *law) {
   const double applied = neumaier(t->n, t->torque_n_m);
   const double bearings = sum_of(t->n, t->viscous_n_m_s);
-  simd torques = 0.0L;
+  extended torques = 0.0L;
   memset(law, 0, sizeof *law);
   law->inertia_kg_m2 = sum_of(t->n, t->inertia_kg_m2);
   for (size_t i = 0; i + 1 < t->n; i++) law->lossy |= t->efficiency[i] < 1.0;
@@ -240,7 +245,7 @@ rot_status rot_axle_train_law_of(const rot_axle_train *t, rot_store *store,
   for (size_t i = 0; i < t->n; i++) torques += fabs(t->torque_n_m[i]);
   law->viscous_n_m_s = -inertia * up.last;
   law->dry_n_m = fmax((backward - forward) / 2.0, 0.0);
-  /* A loss that rounding alone makes is none. */
+  /* A loss within rounding is 0. */
   if (law->dry_n_m <= 8.0 * DBL_EPSILON * (double)torques) law->dry_n_m = 0.0;
   law->torque_n_m = law->dry_n_m > 0.0 ? (forward + backward) / 2.0 : applied;
   if (up.bends.count || down.bends.count) {
@@ -263,8 +268,8 @@ rot_status rot_axle_train_law_of(const rot_axle_train *t, rot_store *store,
   return ROT_OK;
 }
 
-/* A torque E changes omega by at most E min(t/I, 1/c), backwards in time by E (exp(c t/I) - 1)/c:
- * resistance that does not fall with the speed brings two motions together. */
+/* A torque E changes omega by at most E min(t/I, 1/c), backward in time by E (exp(c t/I) - 1)/c:
+ * resistance that does not decrease with the speed makes two motions converge. */
 void rot_axle_train_error(const rot_axle_scene *scene, const double rounding[2], double min_n_m_s,
                           double first_s, double last_s, double fastest, double error[2]) {
   const double inertia = scene->linear.inertia_kg_m2, viscous = scene->viscous_n_m_s;
@@ -273,7 +278,7 @@ void rot_axle_train_error(const rot_axle_scene *scene, const double rounding[2],
   const double off = rounding[0] + rounding[1] * fastest;
   double lag = span / inertia;
   error[0] = error[1] = 0.0;
-  if (!(fastest > 0.0)) return; /* at rest, held or without a torque */
+  if (!(fastest > 0.0)) return; /* at rest: held, or without torque */
   if (viscous > 0.0 && back > 0.0) {
     lag = fmax(lag, expm1(viscous * back / inertia) / viscous);
   } else if (min_n_m_s > 0.0) {

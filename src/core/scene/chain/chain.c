@@ -12,7 +12,9 @@
 
 typedef struct chain {
   rot_links links;
-  double mass_kg[ROT_LINKS_MAX], theta0_rad[ROT_LINKS_MAX], omega0_rad_per_s[ROT_LINKS_MAX];
+  double mass_kg[ROT_LINKS_MAX]; /* > 0 */
+  double theta0_rad[ROT_LINKS_MAX];
+  double omega0_rad_per_s[ROT_LINKS_MAX];
   double start_s;
   rot_links_modes modes;
 } chain;
@@ -45,7 +47,7 @@ static const rot_input inputs[INPUTS] = {
         INPUT("start_s", "s", ROT_INPUT_NUMBER, 0, -DBL_MAX, 0, 0.0, "when the state above holds"),
 };
 
-/* A number for each link, or one for all. */
+/* input => one number per link, from one number per link or one for all. */
 static rot_status spread(const rot_given given[], size_t input, size_t n, double to[],
                          rot_refusal *no) {
   const rot_given *g = &given[input];
@@ -59,7 +61,7 @@ static rot_status spread(const rot_given given[], size_t input, size_t n, double
   return ROT_OK;
 }
 
-/* Rates, and energies of the swing and of the start, within the doubles. */
+/* 1 if rates and energies are finite, else 0. */
 static int in_range(const chain *c) {
   const rot_links *links = &c->links;
   double reach = 0.0, fast = 0.0, ok = 0.0;
@@ -74,6 +76,7 @@ static int in_range(const chain *c) {
   return ok < INFINITY;
 }
 
+/* inputs => chain with masses and modes, or a refusal. */
 static rot_status build(const rot_given given[], rot_store *store, void *to, rot_refusal *no) {
   (void)store;
   chain *c = to;
@@ -114,6 +117,7 @@ static size_t rows_per_time(const void *scene) { return ((const chain *)scene)->
 enum { HEAT, IMPULSE, FLOWS };
 static const char *const flows[FLOWS] = {"dissipated_j", "torque_impulse_n_m_s"};
 
+/* (angles, rates) => accelerations; rates of heat and impulse. */
 static void slopes(const void *scene, const rot_system_state *at, double acceleration[],
                    double flow[], double *drive) {
   const rot_links *c = &((const chain *)scene)->links;
@@ -145,7 +149,7 @@ static const rot_column_of columns[COLUMNS] = {
     ROT_COLUMN("potential_energy_j", "J", 0),
     ROT_COLUMN("joint_torque_n_m", "N m", 0)};
 
-/* A row for each link, from row `at` on. */
+/* state => one row per link, from row `at` on. */
 static void row(const void *scene, const rot_system_state *state, size_t at, void *const column[]) {
   const chain *c = scene;
   const rot_links *links = &c->links;
@@ -192,7 +196,8 @@ static const rot_balance_term terms[] = {
     {MOMENTUM, ROT_SUPPLIED, "impulse of gravity and of the joint at the pivot", 0}};
 enum { TERMS = ROT_COUNT(terms) };
 
-/* Changes as products: a small one of a large energy keeps its digits. */
+/* (two rows, flows) => terms of the balances. Changes as products: a small change of a large energy
+ * keeps its digits. */
 static void audit(const void *scene, const rot_span *s, double term[]) {
   const rot_links *links = &((const chain *)scene)->links;
   const size_t n = links->n;
@@ -234,7 +239,7 @@ static size_t conserved(const void *scene, size_t balance, const char *why[]) {
   return 0;
 }
 
-/* Rates of decay sum to the trace of M^-1 C. */
+/* The sum of the decay rates is the trace of M^-1 C. */
 static void time_scales(const void *scene, const double sizes[], rot_time_scales *to) {
   const chain *c = scene;
   const size_t n = c->links.n;
@@ -298,7 +303,8 @@ static double farthest(const chain *c, size_t n, const double time_s[]) {
 
 enum { LOOKS = 32 };
 
-/* Relative to the largest values that it finds. */
+/* Bound of the error, relative to the largest values at the start and at 32 of the query's
+ * times. */
 static double modes_bound(const rot_model *model, const void *scene, const rot_query *query) {
   const chain *c = scene;
   if (model->error_kind != ROT_BOUND) return 0.0;
@@ -331,6 +337,7 @@ typedef struct modes_run {
   rot_info *info;
 } modes_run;
 
+/* Rows of all links at time i, by modes. */
 static rot_status modes_row(void *model, size_t i) {
   static const double none[ROT_LINKS_MAX] = {0.0};
   const modes_run *run = model;
@@ -348,6 +355,7 @@ static rot_status modes_row(void *model, size_t i) {
   return ROT_OK;
 }
 
+/* (scene, task) => rows and flows by modes, error bounds. */
 static rot_status swing_rows(const void *scene, const rot_task *task, rot_method method,
                              const rot_rows *rows, const rot_hooks *hooks, rot_info *info) {
   static const rot_stepping stepping = {.write_row = modes_row};

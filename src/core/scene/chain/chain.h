@@ -7,9 +7,9 @@
 
 extern const rot_constraint rot_chain_constraint;
 
-/* Frequencies (ascending) and shapes of the small-amplitude modes of n links: shape[i * n + j] is
- * the angle of link i in mode j, the largest of a mode 1. ROT_EVALUE: a value outside its domain;
- * ROT_ERANGE: a frequency leaves the doubles. */
+/* (links, gravity) => frequencies (ascending) and shapes of the small-amplitude modes. shape[i * n
+ * + j]: angle of link i in mode j, scaled to a largest angle of 1. ROT_EVALUE: an argument outside
+ * its domain; ROT_ERANGE: a frequency overflows or underflows. */
 rot_status rot_chain_modes(const double length[], const double mass[], size_t n, int rods,
                            double gravity, double omega_rad_per_s[], double shape[]);
 

@@ -40,14 +40,15 @@ void rot_links_sine(double theta, double low, double *sine, double *cosine) {
   *cosine = c - low * s;
 }
 
-/* What the chain from a joint on resists an acceleration of that joint with: force = mass *
- * acceleration + bias, in components along e and t of its first link. */
+/* Articulated body of the chain below a joint: force = mass * acceleration + bias of that joint, in
+ * components along e and t of its first link. */
 typedef struct articulated {
-  double ee, et, tt, det; /* of the mass, over the total; det = ee tt - et^2 */
+  double ee, et, tt; /* mass matrix over the total mass */
+  double det;        /* ee tt - et^2 */
   double bias_e, bias_t;
 } articulated;
 
-/* In the axes of the link above; sine, cosine: of the angle between the two. */
+/* Rotation into the axes of the link above; sine, cosine: of the angle between the two links. */
 static articulated turned(const articulated *p, double sine, double cosine) {
   const double cs = cosine * sine, cc = cosine * cosine, ss = sine * sine;
   return (articulated){
@@ -60,12 +61,12 @@ void rot_links_accelerations(const rot_links *c, const double theta[], const dou
                              const double omega[], double acceleration[]) {
   const size_t n = c->n;
   const double f = rot_links_first(c), h = rot_links_second(c);
-  /* h - f^2 and 1 + h - 2 f, exactly 0 of points. */
+  /* h - f^2 and 1 + h - 2 f, exactly 0 for points. */
   const double spread = c->rods ? 1.0 / 12.0 : 0.0, across = c->rods ? 1.0 / 3.0 : 0.0;
-  double sine[ROT_LINKS_MAX], cosine[ROT_LINKS_MAX]; /* between a link and the one above */
+  double sine[ROT_LINKS_MAX], cosine[ROT_LINKS_MAX]; /* relative to the link above */
   double d[ROT_LINKS_MAX], et[ROT_LINKS_MAX], free[ROT_LINKS_MAX];
   articulated p = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-  double below = 0.0; /* torque of the joint at the lower end, on the link below */
+  double below = 0.0; /* torque of the joint at the lower end on the link below */
   for (size_t k = n; k-- > 0;) {
     if (k + 1 < n) p = turned(&p, sine[k + 1], cosine[k + 1]);
     double lo = 0.0;
@@ -74,10 +75,10 @@ void rot_links_accelerations(const rot_links *c, const double theta[], const dou
     const double m = c->fraction[k], l = c->length_m[k], spin = l * omega[k] * omega[k];
     const double above = rot_links_joint(c, omega, k);
     const double pull = (above - below) / c->total_kg / l;
-    const double q = spread * m + across * p.tt; /* over m */
+    const double q = spread * m + across * p.tt; /* divided by m */
     d[k] = h * m + p.tt;
     et[k] = p.et;
-    /* Of a pivot at rest: l theta'' = free. */
+    /* With the upper joint at rest: l theta'' = free. */
     const double rest = spin * p.et - p.bias_t;
     free[k] = (pull + rest) / d[k];
     const double mass = p.ee * (h * m / d[k]) + p.det / d[k]; /* ee - et^2/d */
@@ -92,7 +93,7 @@ void rot_links_accelerations(const rot_links *c, const double theta[], const dou
     p = next;
     below = above;
   }
-  /* The acceleration of each joint, less that of gravity. */
+  /* Acceleration of each joint minus gravity. */
   double e = -c->gravity_m_per_s2 * cosine[0], t = c->gravity_m_per_s2 * sine[0];
   for (size_t k = 0; k < n; k++) {
     const double l = c->length_m[k];

@@ -6,14 +6,16 @@
 #include "ground/real.h"
 #include "maths/eigen.h"
 
-/* Half the largest swing for which the bound holds: sin(A/2). */
+/* The bound holds for amplitudes A with sin(A/2) <= MAX_SINE. */
 #define MAX_SINE 0.25
 
+/* Singular value decomposition of G K^-1/2. */
 rot_status rot_links_modes_build(const rot_links *c, rot_links_modes *to) {
   const size_t n = c->n, rows = c->rods ? 2 * n : n;
   double g[2 * ROT_LINKS_MAX * ROT_LINKS_MAX] = {0.0}, period[ROT_LINKS_MAX];
   double u[ROT_LINKS_MAX * ROT_LINKS_MAX];
-  /* Velocities of the ends, or of the centres and of the ends against them. */
+  /* Rows of G. Points: velocities of the ends. Rods: velocities of the centres, and of the ends
+   * relative to them. */
   for (size_t j = 0; j < n; j++) {
     to->root[j] = sqrt(c->length_m[j]) * sqrt(rot_links_weight(c, j) / c->length_m[j]);
     const double by = sqrt(c->length_m[j]) / sqrt(rot_links_weight(c, j) / c->length_m[j]);
@@ -24,7 +26,7 @@ rot_status rot_links_modes_build(const rot_links *c, rot_links_modes *to) {
   }
   rot_status status = rot_eigen_singular(rows, n, g, period, u, NULL);
   if (status != ROT_OK) return status == ROT_EVALUE ? ROT_ERANGE : status;
-  for (size_t j = 0; j < n; j++) { /* the longest period first */
+  for (size_t j = 0; j < n; j++) { /* descending periods */
     to->rate[j] = 1.0 / period[n - 1 - j];
     if (!(to->rate[j] > 0.0 && to->rate[j] < INFINITY)) return ROT_ERANGE;
     for (size_t i = 0; i < n; i++) to->shape[i * n + j] = u[i * n + n - 1 - j];
@@ -46,12 +48,12 @@ rot_status rot_links_modes_build(const rot_links *c, rot_links_modes *to) {
 void rot_links_swing_start(const rot_links *c, const rot_links_modes *m, const double theta[],
                            const double omega[], rot_links_swing *to) {
   const size_t n = c->n;
-  const double time_scales = sqrt(c->gravity_m_per_s2);
+  const double root_g = sqrt(c->gravity_m_per_s2);
   for (size_t j = 0; j < n; j++) {
     to->eta[j] = to->beside[j] = 0.0;
     for (size_t i = 0; i < n; i++) {
       to->eta[j] += m->shape[i * n + j] * (m->root[i] * theta[i]);
-      to->beside[j] += m->shape[i * n + j] * (m->root[i] * (omega[i] / (time_scales * m->rate[j])));
+      to->beside[j] += m->shape[i * n + j] * (m->root[i] * (omega[i] / (root_g * m->rate[j])));
     }
   }
 }
@@ -59,11 +61,11 @@ void rot_links_swing_start(const rot_links *c, const rot_links_modes *m, const d
 void rot_links_swing_at(const rot_links *c, const rot_links_modes *m, const rot_links_swing *swing,
                         double time_s, double theta[], double omega[], double *sum) {
   const size_t n = c->n;
-  const double time_scales = sqrt(c->gravity_m_per_s2);
+  const double root_g = sqrt(c->gravity_m_per_s2);
   double along[ROT_LINKS_MAX];
   for (size_t i = 0; i < n; i++) theta[i] = omega[i] = along[i] = 0.0;
   for (size_t j = 0; j < n; j++) {
-    const double rate = time_scales * m->rate[j], phase = rate * time_s;
+    const double rate = root_g * m->rate[j], phase = rate * time_s;
     const double cosine = cos(phase), sine = sin(phase), half = sin(0.5 * phase);
     const double eta = swing->eta[j] * cosine + swing->beside[j] * sine;
     const double turn = rate * (swing->beside[j] * cosine - swing->eta[j] * sine);
@@ -82,15 +84,16 @@ void rot_links_swing_at(const rot_links *c, const rot_links_modes *m, const rot_
   }
 }
 
-/* ---- what it leaves out ---------------------------------------------------------------------- */
+/* ---- error bound ----------------------------------------------------------------------------- */
 
-/* sqrt(2 (kinetic + potential energy)) of a state, and no less; without squares that underflow. */
+/* Upper bound of sqrt(2 (kinetic + potential energy)) of a state; hypot avoids squares that
+ * underflow. */
 static double energy_norm(const rot_links *c, const rot_links_modes *m, const double theta[],
                           const double omega[]) {
-  const double time_scales = sqrt(c->gravity_m_per_s2);
+  const double root_g = sqrt(c->gravity_m_per_s2);
   double norm = 0.0, x = 0.0, y = 0.0;
   for (size_t i = 0; i < c->n; i++) {
-    const double v = c->length_m[i] * (omega[i] / time_scales), f = rot_links_first(c);
+    const double v = c->length_m[i] * (omega[i] / root_g), f = rot_links_first(c);
     const double dx = v * cos(theta[i]), dy = v * sin(theta[i]), mass = sqrt(c->fraction[i]);
     norm = hypot(norm, 2.0 * m->root[i] * sin(0.5 * theta[i]));
     norm = hypot(norm, mass * hypot(x + f * dx, y + f * dy));
@@ -101,7 +104,7 @@ static double energy_norm(const rot_links *c, const rot_links_modes *m, const do
   return norm * (1.0 + 64.0 * ROT_EPS);
 }
 
-/* Largest sqrt(x' M^-1 x) of vectors with |x_i| <= most_i. */
+/* Maximum of sqrt(x' M^-1 x) over vectors with |x_i| <= max[i]. */
 static double force_norm(const rot_links *c, const rot_links_modes *m, const double max[]) {
   const size_t n = c->n;
   double size = 0.0, sum = 0.0;
@@ -115,17 +118,18 @@ static double force_norm(const rot_links *c, const rot_links_modes *m, const dou
   return size * sqrt(sum);
 }
 
-/* The error e of the linear motion obeys M e'' + K e = r with
+/* The error e of the linear motion satisfies M e'' + K e = r with
  *
  *   r = (M - M(theta)) theta'' - C(theta, theta') + K (theta - sin theta)
  *
- * along the exact motion, so that its energy norm grows by |r|_M^-1 at most. The exact motion keeps
- * its energy S^2/2: 2 sqrt(b_i) |sin(theta_i/2)| <= S. With D = diag(cos theta) and E = diag(sin
- * theta), M(theta) = D M D + E M E >= D M D bounds rates by S, and accelerations by the forces. */
+ * along the exact motion: its energy norm grows by at most |r|_M^-1. The exact motion conserves its
+ * energy S^2/2: 2 sqrt(b_i) |sin(theta_i/2)| <= S. With D = diag(cos theta) and E = diag(sin
+ * theta), M(theta) = D M D + E M E >= D M D bounds the rates by S and the accelerations by the
+ * forces. */
 rot_links_bound rot_links_linear_bound(const rot_links *c, const rot_links_modes *m,
                                        const double theta[], const double omega[], double time_s) {
   const size_t n = c->n;
-  const double time_scales = sqrt(c->gravity_m_per_s2), time = time_scales * fabs(time_s);
+  const double root_g = sqrt(c->gravity_m_per_s2), time = root_g * fabs(time_s);
   const double size = energy_norm(c, m, theta, omega), fastest = m->rate[n - 1];
   double swing[ROT_LINKS_MAX], turn[ROT_LINKS_MAX];
   double bends[ROT_LINKS_MAX] = {0.0}, rest[ROT_LINKS_MAX] = {0.0};
@@ -148,7 +152,7 @@ rot_links_bound rot_links_linear_bound(const rot_links *c, const rot_links_modes
         bends[i] += rot_links_inertia(c, i, j) * (swing[i] + swing[j]) * turn[j] * turn[j];
     }
   }
-  /* |D theta''|_M, from D^-1 (K sin theta + C). */
+  /* |D theta''|_M from D^-1 (K sin theta + C). */
   const double force = (fastest * size + force_norm(c, m, bends)) / cosine;
   for (size_t i = 0; i < n; i++) {
     rest[i] = bends[i];
@@ -167,6 +171,6 @@ rot_links_bound rot_links_linear_bound(const rot_links *c, const rot_links_modes
     const double root = m->root[i];
     sum += root * (root * swing[i] * swing[i] * swing[i] / 6.0 + error);
   }
-  return (rot_links_bound){error / min, time_scales * error * sqrt(trace),
+  return (rot_links_bound){error / min, root_g * error * sqrt(trace),
                            c->gravity_m_per_s2 * sum * fabs(time_s)};
 }

@@ -15,8 +15,8 @@ static void find_fractions(const double inertia[2], double fraction[2]) {
   fraction[1] = 1.0 / (1.0 + inertia[0] / inertia[1]);
 }
 
-/* The torque of a locked clutch, (I2 tau1 - I1 tau2)/(I1 + I2), in products without a rounding:
- * compared with the static capacity, the last digit may decide. */
+/* The torque of a locked clutch, (I2 tau1 - I1 tau2)/(I1 + I2), by exact products: the comparison
+ * with the static capacity may depend on the last digit. */
 static double locked_torque(const double inertia[2], double tau1, double tau2) {
   int of_inertia = 0, of_torque = 0;
   frexp(fmax(inertia[0], inertia[1]), &of_inertia);
@@ -40,7 +40,7 @@ int rot_clutch_is_driven(const rot_clutch_params *p) {
   return 0;
 }
 
-/* omega1' - omega2' when the clutch carries x less than it would need to lock. */
+/* omega1' - omega2' where the torque of the clutch is x less than the locked torque. */
 static double relative_rate(const double inertia[2], double x) {
   return x / inertia[0] + x / inertia[1];
 }
@@ -51,25 +51,31 @@ static size_t step_at(const rot_steps *steps, double t) {
 
 /* ---- the state ------------------------------------------------------------------------------- */
 
-/* The mean motion (of the total momentum) does not depend on the clutch, nor does its error on the
- * time of locking; the slip is the rest: omega1 = mean + share2 slip, omega2 = mean
- * - share1 slip. Angles likewise. */
+/* The mean motion (total momentum over total inertia) and its error are independent of the clutch
+ * and of the error of the lock time. omega1 = mean + fraction[1] slip, omega2 = mean - fraction[0]
+ * slip; angles likewise. */
 typedef struct clutch {
   const rot_clutch_params *p;
-  double fraction[2];
+  double fraction[2]; /* of the total inertia, 0 to 1 */
   double time_s;
-  double mean_theta, mean_omega, slip_theta, slip_omega, heat;
+  double mean_theta, mean_omega, slip_theta, slip_omega;
+  double heat; /* J, since the start */
   double mean_theta_error, mean_omega_error, slip_theta_error, slip_omega_error;
-  double settled_s; /* the slip at the lock is known to be 0 from here on */
-  /* up to anchor_s, from which the torques have not changed */
+  double settled_s; /* latest possible time of the last lock: the slip is exactly 0 after it */
+  /* State at the last change of a torque, and flows up to it. */
   double anchor_s, anchor_theta, anchor_slip, anchor_theta_error, anchor_slip_error;
   rot_clutch_flows done, done_error;
-  /* of the segment that begins at time_s */
-  double tau[2], mean_rate, slip_rate, torque, needed;
-  int locked, stops; /* stops: the segment ends because the slip does */
+  /* The segment that begins at time_s. */
+  double tau[2];               /* applied torques */
+  double mean_rate, slip_rate; /* rad/s^2 */
+  double torque;               /* of the clutch */
+  double needed;               /* torque that would keep the speeds equal */
+  int locked;
+  int stops; /* 1: the segment ends where the slip reaches 0 */
   double end_s;
 } clutch;
 
+/* parameters => state at the start, with its rounding. */
 static void begin(clutch *c, const rot_clutch_params *p) {
   const double *theta = p->theta0_rad, *omega = p->omega0_rad_per_s;
   *c = (clutch){0};
@@ -98,18 +104,19 @@ static void begin(clutch *c, const rot_clutch_params *p) {
 
 /* ---- flows ----------------------------------------------------------------------------------- */
 
-/* The torques change at their steps only, whatever the clutch does between them. */
+/* state => flows since the start, their errors. Work since the anchor is torque times angle: the
+ * torques are constant. */
 static void flows_of(const clutch *c, rot_clutch_flows *flows, rot_clutch_flows *error) {
   const double mean = c->mean_theta - c->anchor_theta, slip = c->slip_theta - c->anchor_slip;
-  const double direction[2] = {c->fraction[1], -c->fraction[0]}, s = c->time_s - c->anchor_s;
+  const double slip_part[2] = {c->fraction[1], -c->fraction[0]}, s = c->time_s - c->anchor_s;
   *flows = c->done;
   *error = c->done_error;
   for (int b = 0; b < 2; b++) {
-    const double work = c->tau[b] * (mean + direction[b] * slip), impulse = c->tau[b] * s;
+    const double work = c->tau[b] * (mean + slip_part[b] * slip), impulse = c->tau[b] * s;
     const double off =
         c->anchor_theta_error + c->mean_theta_error +
-        fabs(direction[b]) * (c->anchor_slip_error + c->slip_theta_error) +
-        4.0 * ROT_EPS * (fabs(c->anchor_theta) + fabs(c->mean_theta) + fabs(direction[b] * slip));
+        fabs(slip_part[b]) * (c->anchor_slip_error + c->slip_theta_error) +
+        4.0 * ROT_EPS * (fabs(c->anchor_theta) + fabs(c->mean_theta) + fabs(slip_part[b] * slip));
     flows->work_j += work;
     error->work_j += fabs(c->tau[b]) * off + 4.0 * ROT_EPS * (fabs(work) + fabs(flows->work_j));
     flows->torque_impulse_n_m_s += impulse;
@@ -138,18 +145,18 @@ static double next_step(const rot_steps *steps, double t) {
   return i < steps->n ? steps->time_s[i] : (double)INFINITY;
 }
 
-/* When the next torque changes after t. */
+/* Time of the next step of a torque after t; Inf: none. */
 static double next_torque(const rot_clutch_params *p, double t) {
   return fmin(next_step(&p->torque_n_m[0], t), next_step(&p->torque_n_m[1], t));
 }
 
-/* When the slip ends, if nothing else happens; Inf if it does not. */
+/* Time at which the slip reaches 0 with its present rate; Inf: never. */
 static double stop_time(const clutch *c) {
   if (sign(c->slip_omega) * sign(c->slip_rate) >= 0) return INFINITY;
   return c->time_s - c->slip_omega / c->slip_rate;
 }
 
-/* The segment ends where the slip does, or where something changes from outside. */
+/* end_s: the earliest of zero slip, step of a torque and engagement. */
 static void find_end(clutch *c) {
   const double stop = stop_time(c), engage_s = c->p->engage_s;
   c->end_s = next_torque(c->p, c->time_s);
@@ -158,7 +165,7 @@ static void find_end(clutch *c) {
   if (c->stops) c->end_s = fmax(stop, c->time_s);
 }
 
-/* The segment from time_s on. */
+/* state => segment from time_s on (torque, rates, end), events. */
 static rot_status enter(clutch *c, int was_locked, rot_events *events) {
   const rot_clutch_params *p = c->p;
   const int engaged = c->time_s >= p->engage_s;
@@ -187,7 +194,7 @@ static rot_status enter(clutch *c, int was_locked, rot_events *events) {
   return !c->locked && was_locked ? rot_events_add(events, c->time_s, ROT_EVENT_SLIP) : ROT_OK;
 }
 
-/* The state at a later time of the same segment; s = time - time_s. */
+/* (segment, time) => state at a later time of the segment. */
 static clutch after(const clutch *c, double time) {
   clutch to = *c;
   const double s = time - c->time_s, half = 0.5 * s * s, *I = c->p->inertia_kg_m2;
@@ -199,9 +206,10 @@ static clutch after(const clutch *c, double time) {
   to.mean_omega += c->mean_rate * s;
   to.slip_theta += c->slip_omega * s + c->slip_rate * half;
   to.slip_omega += c->slip_rate * s;
-  /* The slip keeps its sign on the segment: both parts of the heat are positive. */
+  /* The slip has one sign on the segment: both parts of the heat are positive. */
   to.heat += fabs(c->torque) * (c->locked ? 0.0 : 0.5 * s * fabs(c->slip_omega + to.slip_omega));
-  /* The time difference is rounded too: 6 roundings of each term at most, 10 of a half square. */
+  /* Includes the rounding of the time difference: at most 6 roundings of each term, 10 of half
+   * s^2. */
   to.mean_omega_error += ROT_EPS * (8.0 * rates * s + fabs(to.mean_omega));
   to.mean_theta_error +=
       c->mean_omega_error * s +
@@ -215,12 +223,12 @@ static clutch after(const clutch *c, double time) {
   return to;
 }
 
-/* Goes to the end of the segment, and enters the next one. */
+/* segment => state at its end, next segment, events. */
 static rot_status cross(clutch *c, rot_events *events) {
   const int was_locked = c->locked, stops = c->stops, direction = sign(c->slip_omega);
   const double rate = fabs(c->slip_rate), heat = c->heat, end = c->end_s;
   if (stops) {
-    /* w dt + A dt^2/2 with dt = -w/A is -w^2/(2 A), without the rounding of the time itself. */
+    /* w dt + A dt^2/2 with dt = -w/A is -w^2/(2 A), free of the rounding of dt. */
     const double w = c->slip_omega, turned = 0.5 * w * (-w / c->slip_rate);
     const double warmed = fabs(c->torque) * fabs(turned), slip = c->slip_theta;
     *c = after(c, end);
@@ -234,7 +242,7 @@ static rot_status cross(clutch *c, rot_events *events) {
     if (was_locked && end > c->settled_s) c->slip_omega_error = 0.0;
   }
   rot_status status = enter(c, was_locked, events);
-  /* An error of the time at zero counts by the next rate of slip. */
+  /* The error of the stop time acts with the slip rate that follows. */
   if (stops && fabs(c->slip_rate) > rate) c->slip_omega_error *= fabs(c->slip_rate) / rate;
   if (status == ROT_OK && stops && !c->locked && sign(c->slip_rate) == -direction) {
     status = rot_events_add(events, c->time_s, ROT_EVENT_REVERSE);
@@ -270,26 +278,27 @@ static rot_status next_piece(void *model, double *end_s) {
   return cross(&run->at, run->events);
 }
 
+/* (segment, i) => row i, its errors and flows. */
 static rot_status write_row(void *model, size_t i) {
   const clutch_run *run = model;
   const clutch state = after(&run->at, run->time_s[i]), *at = &state;
   const rot_clutch_columns *out = run->out;
-  const double direction[2] = {at->fraction[1], -at->fraction[0]};
+  const double slip_part[2] = {at->fraction[1], -at->fraction[0]};
   for (int b = 0; b < 2; b++) {
     const int first = at->time_s == at->p->start_s;
     const double theta =
-        first ? at->p->theta0_rad[b] : at->mean_theta + direction[b] * at->slip_theta;
+        first ? at->p->theta0_rad[b] : at->mean_theta + slip_part[b] * at->slip_theta;
     const double omega =
-        first ? at->p->omega0_rad_per_s[b] : at->mean_omega + direction[b] * at->slip_omega;
+        first ? at->p->omega0_rad_per_s[b] : at->mean_omega + slip_part[b] * at->slip_omega;
     if (!(isfinite(theta) && isfinite(omega))) return ROT_ERANGE;
     const double slip_error = at->locked && at->time_s > at->settled_s ? 0.0 : at->slip_omega_error;
     (b == 0 ? out->theta_1_rad : out->theta_2_rad)[i] = theta;
     (b == 0 ? out->omega_1_rad_per_s : out->omega_2_rad_per_s)[i] = omega;
     rot_note_row(run->info, theta, omega,
-                 at->mean_theta_error + fabs(direction[b]) * at->slip_theta_error +
-                     ROT_EPS * (4.0 * fabs(direction[b] * at->slip_theta) + fabs(theta)),
-                 at->mean_omega_error + fabs(direction[b]) * slip_error +
-                     ROT_EPS * (4.0 * fabs(direction[b] * at->slip_omega) + fabs(omega)));
+                 at->mean_theta_error + fabs(slip_part[b]) * at->slip_theta_error +
+                     ROT_EPS * (4.0 * fabs(slip_part[b] * at->slip_theta) + fabs(theta)),
+                 at->mean_omega_error + fabs(slip_part[b]) * slip_error +
+                     ROT_EPS * (4.0 * fabs(slip_part[b] * at->slip_omega) + fabs(omega)));
   }
   if (run->flow) {
     rot_clutch_flows flows, error;
@@ -327,10 +336,11 @@ rot_status rot_clutch_run(const rot_clutch_params *p, size_t n, const double tim
 
 /* ---- one engagement -------------------------------------------------------------------------- */
 
-/* The same where a product may leave the range of doubles: powers of two apart, sums halved. */
-static rot_clutch_engagement engage_simd(const double inertia[2], const double fraction[2],
-                                         double capacity, const double torque[2],
-                                         const double omega[2]) {
+/* rot_clutch_engage() for products that may overflow or underflow: exponents kept separately, sums
+ * halved. */
+static rot_clutch_engagement engage_extended(const double inertia[2], const double fraction[2],
+                                             double capacity, const double torque[2],
+                                             const double omega[2]) {
   const double half_slip = 0.5 * omega[0] - 0.5 * omega[1], size = fabs(half_slip);
   const double half_sum = 0.5 * inertia[0] + 0.5 * inertia[1];
   const double reduced = fmin(inertia[0], inertia[1]) * fmax(fraction[0], fraction[1]);
@@ -344,7 +354,7 @@ static rot_clutch_engagement engage_simd(const double inertia[2], const double f
     x.heat_j = rot_product(4, (double[]){2.0, reduced, size, size}, 1.0);
     return x;
   }
-  /* What brakes the slip, halved. */
+  /* Half of the torque that brakes the slip. */
   const double half = 0.5 * capacity - 0.5 * sign(half_slip) * x.locked_torque_n_m;
   if (!(half > 0.0)) {
     x.lock_s = isnan(half) ? (double)NAN : (double)INFINITY;
@@ -380,13 +390,13 @@ rot_clutch_engagement rot_clutch_engage(double inertia_1, double inertia_2, doub
     well_scaled &= rot_well_scaled(numbers[i], 1e60) || unlimited;
   }
   if (finite && !well_scaled) {
-    return engage_simd(inertia, fraction, capacity_n_m, (double[]){torque_1, torque_2},
-                       (double[]){omega_1, omega_2});
+    return engage_extended(inertia, fraction, capacity_n_m, (double[]){torque_1, torque_2},
+                           (double[]){omega_1, omega_2});
   }
   const double mean = slip == 0.0 ? omega_1 : fraction[0] * omega_1 + fraction[1] * omega_2;
   x.locked_torque_n_m = locked_torque(inertia, torque_1, torque_2);
   if (isinf(capacity_n_m) || slip == 0.0) {
-    /* (1/2) I1 I2/(I1 + I2) slip^2 by the product, never by the difference of the energies. */
+    /* (1/2) I1 I2/(I1 + I2) slip^2 as a product: the difference of the energies would cancel. */
     x.lock_s = 0.0;
     x.omega_rad_per_s = mean;
     x.heat_j =

@@ -39,7 +39,7 @@ const rot_input rot_clutch_inputs[ROT_CLUTCH_INPUTS] = {
     [START] = ROT_NUMBER_INPUT("start_s", "s", 0, -DBL_MAX, 0, 0.0, "when the state above holds"),
 };
 
-/* Value i + 1 holds from time i on. */
+/* torque input => steps in time; a refusal if it is not piecewise constant. */
 static rot_status steps_of(const rot_given *given, rot_store *store, rot_steps *steps,
                            rot_refusal *no) {
   static const char *const words = "must be constant between jumps";
@@ -69,7 +69,7 @@ static rot_status steps_of(const rot_given *given, rot_store *store, rot_steps *
   return ROT_OK;
 }
 
-/* Two numbers, or 0 for both. */
+/* input => numbers of the two bodies; absent, or a single 0: both 0. */
 static rot_status both_of(const rot_given given[], size_t input, double x[2], rot_refusal *no) {
   const rot_given *g = &given[input];
   if (g->is && g->n != 2 && !(g->n == 1 && g->x[0] == 0.0)) {

@@ -16,7 +16,7 @@ const rot_balance_term rot_clutch_terms[ROT_CLUTCH_TERMS] = {
     {MOMENTUM, ROT_CHANGE, "change of angular momentum", 0},
     {MOMENTUM, ROT_SUPPLIED, "impulse of the torques", 0}};
 
-/* Changes as products: a small one of a large energy keeps its digits. */
+/* Changes as products: a small change of a large energy keeps its digits. */
 void rot_clutch_audit(const void *scene, const rot_span *s, double term[]) {
   const rot_clutch_params *p = scene;
   double kinetic = 0.0, momentum = 0.0;

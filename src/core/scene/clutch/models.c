@@ -22,7 +22,7 @@ static const char *not_exact(const void *scene, const rot_query *query) {
   return before ? "it cannot run backwards from the scene's start" : NULL;
 }
 
-/* seconds: of a run, of a row, of a step of a torque. */
+/* model->seconds: per run, per row, per step of a torque. */
 static double cost_s(const rot_model *model, const void *scene, const rot_query *query) {
   const rot_clutch_params *p = scene;
   const double steps = (double)(p->torque_n_m[0].n + p->torque_n_m[1].n);
@@ -41,7 +41,7 @@ static const rot_model models[] = {
      {0.9e-6, 65e-9, 0.13e-6, 0.0}},
 };
 
-/* Between events the motion is a parabola. */
+/* Between events the angles are parabolas: no time scale. */
 static void time_scales(const void *scene, const double sizes[], rot_time_scales *to) {
   (void)scene, (void)sizes;
   *to = (rot_time_scales){INFINITY, 0.0};

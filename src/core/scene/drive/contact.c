@@ -7,7 +7,7 @@
 
 #include "ground/real.h"
 
-/* Capacity and load that agree to this part are a tie: each is a sum of a few torques. */
+/* Tie: capacity and load agree to this relative difference; each is a sum of a few torques. */
 #define TIE 1e-13
 
 static double twist_rate(const rot_drive_system *s, const double y[], size_t j) {
@@ -22,6 +22,7 @@ void rot_drive_positions(const rot_drive_system *s, double h, const double befor
   }
 }
 
+/* Rates of units, slip speeds (0 if sticking) and twists. */
 void rot_drive_rates(const rot_drive_system *s, const double y[], const signed char mode[],
                      double dydt[]) {
   for (size_t u = 0; u < s->m; u++) {
@@ -39,7 +40,7 @@ void rot_drive_rates(const rot_drive_system *s, const double y[], const signed c
   }
 }
 
-/* ---- rates of bodies that stick -------------------------------------------------------------- */
+/* ---- rates of sticking bodies ---------------------------------------------------------------- */
 
 static int clutch_behind(const rot_drive_system *s, size_t u, const signed char mode[]) {
   const size_t j = s->unit[u].end - 1;
@@ -47,7 +48,8 @@ static int clutch_behind(const rot_drive_system *s, size_t u, const signed char 
          mode[s->contact_of[j]] == ROT_DRIVE_STICKS;
 }
 
-/* A group with a unit at rest on the ground is at rest, and all its contacts to ground stick. */
+/* Equal rates in each group. A group with a unit at rest on the ground is at rest; all its contacts
+ * to ground stick. */
 static void equal_rates(const rot_drive_system *s, double y[], signed char mode[]) {
   for (size_t from = 0; from < s->m;) {
     size_t to = from;
@@ -76,7 +78,8 @@ static void equal_rates(const rot_drive_system *s, double y[], signed char mode[
 
 static signed char sign_mode(double x) { return x > 0.0 ? 1 : -1; }
 
-/* The weakest contact lets go, all that keeps the run of units at its ends and to ground. */
+/* The weakest contact breaks loose: the clutch, or all contacts that hold the units of the cut (at
+ * its ends and to ground). */
 static void let_go(const rot_drive_system *s, signed char mode[], double load) {
   const rot_drive_weakest *w = &s->weakest;
   const rot_drive_coupling *c = s->scene->coupling;
@@ -88,7 +91,7 @@ static void let_go(const rot_drive_system *s, signed char mode[], double load) {
   for (size_t u = w->from; u <= w->to; u++) {
     if (s->unit[u].ground != SIZE_MAX) mode[s->unit[u].ground] = direction;
   }
-  for (int behind = 0; behind < 2; behind++) { /* the clutches at both ends */
+  for (int behind = 0; behind < 2; behind++) { /* clutches at both ends */
     if (!behind && w->from == 0) continue;
     const size_t j = s->unit[behind ? w->to : w->from - 1].end - 1;
     if (j + 1 >= s->n || c[j].kind != ROT_DRIVE_CLUTCH) continue;
@@ -98,7 +101,8 @@ static void let_go(const rot_drive_system *s, signed char mode[], double load) {
   }
 }
 
-/* A contact that has just let go and would slip the other way sticks. */
+/* A contact that broke loose and would slip against its direction sticks again. Returns 1 if there
+ * is one. */
 static int catches(const rot_drive_system *s, const double y[], signed char mode[]) {
   for (size_t k = 0; k < s->n_contacts; k++) {
     const rot_drive_contact *c = &s->contact[k];
@@ -116,7 +120,7 @@ static int catches(const rot_drive_system *s, const double y[], signed char mode
   return 0;
 }
 
-/* A tie is decided a little later on the motion that sticks: by the signs of margin and load. */
+/* Decides a tie by the signs of margin and load at t + ahead_s, on the sticking motion. */
 static rot_status look_ahead(rot_drive_system *s, double t, const double y[],
                              const signed char mode[], double ahead_s, double *margin,
                              double *load) {
@@ -134,7 +138,7 @@ static rot_status look_ahead(rot_drive_system *s, double t, const double y[],
   return status;
 }
 
-/* Contacts without capacity on which nothing acts. */
+/* Contacts without capacity and load become open. Returns 1 if there is one. */
 static int open_up(const rot_drive_system *s, signed char mode[]) {
   int found = 0;
   for (size_t k = 0; k < s->n_contacts; k++) {
@@ -146,6 +150,8 @@ static int open_up(const rot_drive_system *s, signed char mode[]) {
   return found;
 }
 
+/* Starts with all possible contacts sticking; breaks the weakest loose until the margins are
+ * positive. */
 rot_status rot_drive_settle(rot_drive_system *s, double t, double y[], signed char mode[],
                             int breaks, double ahead_s) {
   for (size_t k = 0; k < s->n_contacts; k++) {
@@ -153,13 +159,14 @@ rot_status rot_drive_settle(rot_drive_system *s, double t, double y[], signed ch
     mode[k] = speed != 0.0 ? sign_mode(speed) : ROT_DRIVE_STICKS;
   }
   equal_rates(s, y, mode);
-  /* Each contact lets go and sticks again a few times at most; a cycle ends where it is. */
+  /* A contact breaks loose and sticks again a few times at most; a cycle ends in its present
+   * state. */
   for (size_t round = 0; round < 4 * s->n_contacts + 4; round++) {
     rot_status status = rot_drive_forces(s, t, y, mode);
     if (status != ROT_OK) return status;
     if (round > 0 && round < 2 * s->n_contacts + 2 && catches(s, y, mode)) continue;
     double margin = s->weakest.margin, load = s->weakest.load;
-    if (margin > 1.5) return ROT_OK; /* nothing sticks */
+    if (margin > 1.5) return ROT_OK; /* no contact sticks */
     const int tie = fabs(margin) <= TIE, forced = breaks && round == 0;
     if (tie && !forced) {
       const double capacity = s->weakest.capacity;

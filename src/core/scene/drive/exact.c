@@ -14,19 +14,20 @@
 #include "scene/drive/units.h"
 #include "scene/shaft/modal.h"
 
-/* ---- the scenes of the other constraints ----------------------------------------------------- */
+/* ---- scenes of other constraints ------------------------------------------------------------- */
 
 typedef struct exact {
   const rot_drive_scene *scene;
   rot_drive_form form;
   rot_drive_units u;
   rot_axle_built axle;
-  const rot_model_run *run; /* of the axle */
+  const rot_model_run *run; /* model of the axle */
   rot_clutch_params clutch;
   rot_shaft_params shaft;
   const rot_hooks *hooks;
 } exact;
 
+/* All units are one: scene of an axle. */
 static rot_status axle_of(exact *x, rot_store *store) {
   rot_axle_scene *axle = &x->axle.scene;
   rot_loads loads;
@@ -49,7 +50,7 @@ static rot_status axle_of(exact *x, rot_store *store) {
   return ROT_OK;
 }
 
-/* The cheapest closed form with a bound; NULL: there is none. */
+/* axle => cheapest closed form with a bound; NULL: none. */
 static const rot_model_run *form_of_axle(const rot_axle_built *axle, const rot_query *query) {
   const rot_constraint *c = &rot_axle_constraint;
   const unsigned effects = c->effects_of(axle);
@@ -65,6 +66,7 @@ static const rot_model_run *form_of_axle(const rot_axle_built *axle, const rot_q
   return found;
 }
 
+/* unit k => steps of its torque. */
 static rot_status steps_of(const exact *x, size_t k, rot_store *store, rot_steps *steps) {
   rot_loads loads;
   const rot_status status = rot_drive_unit_loads(x->scene, &x->u, k, store, &loads);
@@ -84,6 +86,7 @@ static rot_status steps_of(const exact *x, size_t k, rot_store *store, rot_steps
   return ROT_OK;
 }
 
+/* Two units and a clutch: parameters at the first shaft. */
 static rot_status clutch_of(exact *x, rot_store *store) {
   const rot_drive_units *u = &x->u;
   const rot_drive_friction *friction = &x->scene->coupling[u->between[0]].friction;
@@ -94,7 +97,7 @@ static rot_status clutch_of(exact *x, rot_store *store) {
   p->static_n_m = friction->static_ratio * p->capacity_n_m;
   p->start_s = x->scene->start_s;
   p->engage_s = fmax(friction->from_s, p->start_s);
-  /* Rates that agree to rounding do not slip. */
+  /* A slip within rounding is 0. */
   const int alike = fabs(omega[1] - omega[0]) <= 4.0 * ROT_EPS * fabs(omega[0]);
   rot_status status = ROT_OK;
   for (size_t k = 0; k < 2 && status == ROT_OK; k++) {
@@ -105,7 +108,8 @@ static rot_status clutch_of(exact *x, rot_store *store) {
   return status;
 }
 
-/* The twist of each shaft at the start, at the first shaft, is that of the units' angles. */
+/* Units as rotors of a shaft. The initial twist of each shaft, at the first shaft, is that of the
+ * angles of the units. */
 static rot_status shaft_of(exact *x, rot_store *store) {
   const rot_drive_units *u = &x->u;
   const size_t m = u->m;
@@ -151,7 +155,7 @@ static rot_status open_form(exact *x, const rot_query *query, rot_store *store) 
   }
 }
 
-/* ---- which form takes a scene ---------------------------------------------------------------- */
+/* ---- choice of the form ---------------------------------------------------------------------- */
 
 static int all_rotors(const rot_drive_scene *scene, int (*fits)(const rot_axle_scene *)) {
   int all = 1;
@@ -213,11 +217,11 @@ const char *rot_drive_exact_why_not(const rot_drive_scene *scene, rot_drive_form
 
 /* ---- the motion of the units ----------------------------------------------------------------- */
 
-/* n rows. */
+/* Motion of the units, n rows. */
 typedef struct solution {
   double *turned, *rate; /* m each, of the units */
-  double *between;       /* m - 1 each: torques of the couplings between them, at the first shaft */
-  double *heat;          /* of the clutch, or NULL */
+  double *between;       /* m - 1 each: torques of the couplings, at the first shaft */
+  double *heat;          /* of the clutch; NULL: no clutch */
   int *locked;
 } solution;
 
@@ -235,6 +239,7 @@ static rot_status solve_axle(const exact *x, size_t n, const double t[], rot_sto
   return x->run->run(&x->axle, &task, x->run->method, &rows, x->hooks, info);
 }
 
+/* (times) => rows of the clutch as motion of two units, events. */
 static rot_status solve_clutch(const exact *x, size_t n, const double t[], rot_store *store,
                                rot_events *events, solution *s, rot_info *info) {
   double *row = rot_store_get(store, n, 6 * sizeof *row);
@@ -257,6 +262,7 @@ static rot_status solve_clutch(const exact *x, size_t n, const double t[], rot_s
   return status;
 }
 
+/* (times) => rows of the shaft as motion of the units. */
 static rot_status solve_shaft(const exact *x, size_t n, const double t[], rot_store *store,
                               solution *s, rot_info *info) {
   const size_t m = x->u.m;
@@ -289,22 +295,22 @@ static rot_status solve(const exact *x, size_t n, const double t[], rot_store *s
 
 /* ---- the rotors ------------------------------------------------------------------------------ */
 
-/* n values for each rotor, one rotor after another; of couplings for each but the last. */
+/* n values per rotor, by rotor; couplings: per rotor except the last. */
 typedef struct actions {
   double *theta, *omega, *applied, *damping, *torque;
 } actions;
 
-/* Inside a unit the gears carry what the rotors' own balance leaves. */
+/* Torques of one row. In a unit, the torque of a gear balances the rotors on one side of it. */
 static void torques_of_row(const exact *x, const solution *s, size_t n, size_t row, actions *a) {
   const rot_drive_units *u = &x->u;
   const rot_drive_coupling *coupling = x->scene->coupling;
-  double force[2] = {0.0, 0.0}; /* of both sides of a clutch */
+  double force[2] = {0.0, 0.0}; /* on both sides of a clutch */
   for (size_t i = 0; i < u->n && s->locked; i++) {
     force[u->unit[i]] += (a->applied[i * n + row] + a->damping[i * n + row]) / u->ratio[i];
   }
   for (size_t k = 0; k + 1 < u->m; k++) {
     double torque = s->between[row * (u->m - 1) + k];
-    if (s->locked && s->locked[row]) { /* of the torques of the row, at a jump too */
+    if (s->locked && s->locked[row]) { /* by the torques of the row, also at a jump */
       const double *J = u->inertia_kg_m2;
       torque = (J[1] * force[0] - J[0] * force[1]) / (J[0] + J[1]);
     }
@@ -331,6 +337,7 @@ static void torques_of_row(const exact *x, const solution *s, size_t n, size_t r
   }
 }
 
+/* (motion of the units, times) => angles, rates and torques of the rotors. */
 static rot_status act(const exact *x, const solution *s, size_t n, const double t[],
                       rot_store *store, actions *a) {
   const rot_drive_units *u = &x->u;
@@ -356,11 +363,12 @@ static rot_status act(const exact *x, const solution *s, size_t n, const double 
 
 /* ---- integrals ------------------------------------------------------------------------------- */
 
-/* Work and the three impulses, then the heat of each rotor, then that of each coupling. */
+/* Integrals: work, three impulses, heat of each rotor, heat of each coupling. */
 enum { WORK, TORQUE, RESISTANCE, HOUSING, ROTORS };
 
 static size_t width_of(const exact *x) { return ROTORS + 2 * x->u.n - 1; }
 
+/* torques of a row => rates of the integrals. */
 static void rates_of_row(const exact *x, const actions *a, size_t n, size_t row, double f[]) {
   const size_t rotors = x->u.n;
   for (int k = 0; k < ROTORS; k++) f[k] = 0.0;
@@ -380,6 +388,7 @@ static void rates_of_row(const exact *x, const actions *a, size_t n, size_t row,
   }
 }
 
+/* n times => rates of the integrals (integrand of the quadrature). */
 static rot_status rates(size_t n, const double t[], double value[], void *ctx) {
   const exact *x = ctx;
   rot_store store = {0};
@@ -397,12 +406,13 @@ static rot_status rates(size_t n, const double t[], double value[], void *ctx) {
   return status;
 }
 
-/* Since the start at n times, a row each; with the error and the size of what was added. */
+/* Integrals since the start, one row per time; their errors, sums of |increments|. */
 typedef struct integrals {
   double *value, *error, *size;
 } integrals;
 
-/* The times, the start, and what lies between them where the rates have kinks. */
+/* Ends of the quadrature panels: the times, the start, and times in between at which the rates have
+ * kinks. */
 static rot_status edges_of(const exact *x, size_t n, const double t[], rot_store *store,
                            double **edges, size_t *count) {
   const rot_drive_scene *scene = x->scene;
@@ -441,7 +451,7 @@ static rot_status edges_of(const exact *x, size_t n, const double t[], rot_store
   return status;
 }
 
-/* Heat and impulses of rounding are as small as that of the whole motion. */
+/* Scale below which heat and impulses are rounding: kinetic energy and momentum of the motion. */
 static rot_status min_of(exact *x, size_t n, const double t[], rot_store *store, double min[]) {
   solution s;
   actions a;
@@ -469,6 +479,7 @@ static rot_status min_of(exact *x, size_t n, const double t[], rot_store *store,
   return status;
 }
 
+/* times => integrals since the start, by adaptive quadrature. */
 static rot_status integrate(exact *x, size_t n, const double t[], rot_store *store,
                             integrals *out) {
   const size_t width = width_of(x);
@@ -508,8 +519,8 @@ static rot_status integrate(exact *x, size_t n, const double t[], rot_store *sto
 
 /* ---- rows ------------------------------------------------------------------------------------ */
 
-/* Those of the coordinates over the smallest ratio; sizes are those of the rows and the start, or
- * of the fastest rotor of a single unit. */
+/* Measures. Errors: those of the coordinates over the smallest ratio. Largest values: of the rows
+ * and the start, or of the fastest rotor of a single unit. */
 static void measure(const exact *x, size_t n, const actions *a, const rot_info *of,
                     rot_info *info) {
   const rot_drive_units *u = &x->u;
@@ -537,7 +548,7 @@ static int is_lossy(const exact *x) {
   return 0;
 }
 
-/* `heat`: integrals, or NULL where nothing but a clutch dissipates. */
+/* (motion, torques) => columns. heat: integrals; NULL: only a clutch dissipates. */
 static void write_rows(const exact *x, size_t n, const solution *s, const actions *a,
                        const integrals *heat, const rot_drive_columns *out) {
   const size_t rotors = x->u.n, width = width_of(x);
@@ -565,12 +576,13 @@ static void write_rows(const exact *x, size_t n, const solution *s, const action
   }
 }
 
+/* integrals => ledger, its errors. */
 static void write_ledger(const exact *x, size_t n, const double t[], const integrals *sums,
                          const rot_info *info, rot_drive_ledger *out) {
   const size_t rotors = x->u.n, width = width_of(x);
   for (size_t row = 0; row < n; row++) {
     const double *f = sums->value + row * width;
-    double of[3] = {0.0, 0.0, 0.0}; /* shafts, clutches, gears: the order of rot_drive_kind */
+    double of[3] = {0.0, 0.0, 0.0}; /* shafts, clutches, gears: order of rot_drive_kind */
     double rotor = 0.0;
     for (size_t i = 0; i < rotors; i++) rotor += f[ROTORS + i];
     for (size_t i = 0; i + 1 < rotors; i++) {
@@ -593,7 +605,7 @@ static void write_ledger(const exact *x, size_t n, const double t[], const integ
     const double off = sums->error[k] + (1e-14 + 3.0 * error) * sums->size[k];
     *(k == WORK ? &work : k < ROTORS ? &impulse : &heat) += off;
   }
-  /* The torque of a stiff shaft may err by more than the motion. */
+  /* The relative error of the torque of a stiff shaft may exceed that of the motion. */
   for (size_t i = 0; i + 1 < rotors; i++) {
     const rot_drive_coupling *c = &x->scene->coupling[i];
     impulse += span * fabs(c->ratio - 1.0) * (1.0 + fabs(c->ratio)) *
@@ -605,7 +617,7 @@ static void write_ledger(const exact *x, size_t n, const double t[], const integ
   out->twist_error_rad = 2.0 * theta;
 }
 
-/* The clutch's own: before it is engaged there are none. */
+/* Events of the clutch, at its coupling; none before it is engaged. */
 static rot_status place_events(const exact *x, const rot_events *found, rot_events *events) {
   const int where = x->u.m > 1 ? -(int)(x->u.between[0] + 1) : 1;
   for (size_t i = 0; i < found->count; i++) {
@@ -617,6 +629,7 @@ static rot_status place_events(const exact *x, const rot_events *found, rot_even
   return ROT_OK;
 }
 
+/* Motion of the units, of the rotors, integrals, rows. */
 rot_status rot_drive_exact(const rot_drive_scene *scene, rot_drive_form form, size_t n,
                            const double time_s[], const rot_drive_columns *out,
                            rot_drive_ledger *ledger, rot_events *events, const rot_hooks *hooks,

@@ -15,6 +15,7 @@ static int has_dry(const rot_drive_scene *scene, size_t i) {
   return r->coulomb_n_m != 0.0 || r->static_n_m != 0.0 || scene->brake[i].acts;
 }
 
+/* Groups of geared rotors; fraction: d theta_i / d coordinate. */
 static void find_units(rot_drive_system *s) {
   const rot_drive_scene *scene = s->scene;
   s->m = 0;
@@ -41,6 +42,7 @@ static void find_units(rot_drive_system *s) {
   }
 }
 
+/* Contacts to ground and clutches; components of slip speeds and twists. */
 static void find_contacts(rot_drive_system *s) {
   const rot_drive_scene *scene = s->scene;
   for (size_t u = 0; u < s->m; u++) {
@@ -64,6 +66,7 @@ static void find_contacts(rot_drive_system *s) {
   s->state = 2 * s->m + s->n_slips + s->n_twists;
 }
 
+/* One block of memory for all arrays. */
 rot_status rot_drive_system_new(rot_drive_system *s, const rot_drive_scene *scene) {
   const size_t n = scene->n;
   memset(s, 0, sizeof *s);
@@ -101,6 +104,7 @@ void rot_drive_system_free(rot_drive_system *s) {
   memset(s, 0, sizeof *s);
 }
 
+/* Rates of the units, slip speeds, twists from the rotors. */
 void rot_drive_start(const rot_drive_system *s, double y[]) {
   const rot_drive_scene *scene = s->scene;
   for (size_t u = 0; u < s->m; u++) y[u] = 0.0;
@@ -113,7 +117,7 @@ void rot_drive_start(const rot_drive_system *s, double y[]) {
     const rot_drive_coupling *c = &scene->coupling[j];
     if (c->kind == ROT_DRIVE_CLUTCH) {
       const double a = rot_drive_omega(s, y, j), b = c->ratio * rot_drive_omega(s, y, j + 1);
-      /* Speeds that agree to rounding do not slip. */
+      /* A slip within rounding is 0. */
       y[s->state_of[j]] = fabs(a - b) <= 4.0 * ROT_EPS * fabs(a) ? 0.0 : a - b;
     } else if (c->kind == ROT_DRIVE_SHAFT) {
       y[s->state_of[j]] =
@@ -147,13 +151,14 @@ static rot_status friction_at(const rot_drive_friction *friction, double t, doub
 
 static double sign_of(double x) { return (double)((x > 0.0) - (x < 0.0)); }
 
-/* The sign of the slip of a contact in this mode, 0 where it sticks. */
+/* mode of a contact => sign of its slip; 0: it sticks. */
 static double slip_sign(signed char mode, double speed) {
   return mode == ROT_DRIVE_OPEN ? sign_of(speed) : (double)mode;
 }
 
 /* ---- known torques --------------------------------------------------------------------------- */
 
+/* Torques on rotors and units: applied, resistance, friction and brakes. */
 static rot_status rotor_torques(rot_drive_system *s, double t, const double y[],
                                 const signed char mode[]) {
   const rot_drive_scene *scene = s->scene;
@@ -169,7 +174,7 @@ static rot_status rotor_torques(rot_drive_system *s, double t, const double y[],
     s->size[u] += fabs(fraction) * (fabs(s->applied[i]) + fabs(s->smooth[i]));
     s->dry[i] = s->brake[i] = s->dry_cap[i] = s->brake_cap[i] = 0.0;
     if (ground == SIZE_MAX) continue;
-    /* The sign is the segment's, so that a stage beyond the zero sees no kink. */
+    /* The sign of the segment: a stage beyond the zero has no kink. */
     const int sticks = mode[ground] == ROT_DRIVE_STICKS;
     const double sign = slip_sign(mode[ground], y[s->m + u]);
     s->dry_cap[i] = sticks ? fmax(r->static_n_m, r->coulomb_n_m) : r->coulomb_n_m;
@@ -186,6 +191,7 @@ static rot_status rotor_torques(rot_drive_system *s, double t, const double y[],
   return ROT_OK;
 }
 
+/* Torques of shafts and slipping clutches. */
 static rot_status coupling_torques(rot_drive_system *s, double t, const double y[],
                                    const signed char mode[]) {
   const rot_drive_scene *scene = s->scene;
@@ -217,7 +223,7 @@ static rot_status coupling_torques(rot_drive_system *s, double t, const double y
 
 /* ---- groups ---------------------------------------------------------------------------------- */
 
-/* To the first shaft. */
+/* Known torque on unit u, to the first shaft. */
 static double force_of(const rot_drive_system *s, size_t u) {
   return s->force[u] / s->unit[u].scale;
 }
@@ -226,7 +232,7 @@ static double inertia_of(const rot_drive_system *s, size_t u) {
   return s->unit[u].inertia / s->unit[u].scale / s->unit[u].scale;
 }
 
-/* What the clutch behind unit u holds, to the first shaft; 0 where it does not stick. */
+/* Capacity of the sticking clutch behind unit u, to the first shaft; 0: it slips. */
 static double clutch_capacity(const rot_drive_system *s, size_t u, const signed char mode[]) {
   const size_t j = s->unit[u].end - 1;
   if (u + 1 >= s->m || s->scene->coupling[j].kind != ROT_DRIVE_CLUTCH) return 0.0;
@@ -259,7 +265,7 @@ static void set_clutch(rot_drive_system *s, size_t u, double torque) {
   s->torque[j] = torque * s->product[j];
 }
 
-/* One rigid body that moves freely. */
+/* A moving group: one rigid body => acceleration, torques of its clutches. */
 static void free_group(rot_drive_system *s, size_t from, size_t to, const signed char mode[]) {
   double force = 0.0, inertia = 0.0, torque = 0.0;
   for (size_t u = from; u <= to; u++) {
@@ -277,9 +283,9 @@ static void free_group(rot_drive_system *s, size_t from, size_t to, const signed
   }
 }
 
-/* At rest. It stays there if the load of each run of neighbours is at most what holds the run at
- * its ends and to ground (max-flow, min-cut). Where several contacts could carry a load, the one
- * nearest to it does. */
+/* A group at rest: stays at rest if the load of each run of neighbouring units is at most the
+ * capacity of its end clutches and contacts to ground (max-flow min-cut). Of several contacts that
+ * could carry a load, the nearest one does. */
 static void held_group(rot_drive_system *s, size_t from, size_t to, const signed char mode[]) {
   for (size_t a = from; a <= to; a++) {
     double load = 0.0, holds = a > from ? clutch_capacity(s, a - 1, mode) : 0.0;
@@ -311,8 +317,8 @@ static void held_group(rot_drive_system *s, size_t from, size_t to, const signed
   }
 }
 
-/* What holds a unit, on its rotors: by capacity. */
-static void fraction_hold(rot_drive_system *s, size_t u) {
+/* Divides the holding torque of a unit among its rotors, by capacity. */
+static void distribute_hold(rot_drive_system *s, size_t u) {
   const size_t ground = s->unit[u].ground;
   const double part = s->capacity[ground] > 0.0 ? s->hold[u] / s->capacity[ground] : 0.0;
   for (size_t i = s->unit[u].first; i < s->unit[u].end; i++) {
@@ -335,7 +341,7 @@ static void lossy_unit(rot_drive_system *s, size_t u, const double y[], const si
   note_margin(s, capacity / s->unit[u].scale, load / s->unit[u].scale, u, u, 1);
 }
 
-/* Inside a unit the gears carry what the rotors' own balance leaves. */
+/* In a unit, the torque of a gear balances the rotors on one side of it. */
 static void gear_torques(rot_drive_system *s) {
   const rot_drive_coupling *c = s->scene->coupling;
   for (size_t i = 0; i < s->n; i++) {
@@ -347,6 +353,7 @@ static void gear_torques(rot_drive_system *s) {
   }
 }
 
+/* Known torques; then each group: lossy unit, at rest, or moving. */
 rot_status rot_drive_forces(rot_drive_system *s, double t, const double y[],
                             const signed char mode[]) {
   memset(s->force, 0, s->m * sizeof *s->force);
@@ -367,7 +374,7 @@ rot_status rot_drive_forces(rot_drive_system *s, double t, const double y[],
     for (size_t u = from; u <= to; u++) {
       held |= s->unit[u].ground != SIZE_MAX && mode[s->unit[u].ground] == ROT_DRIVE_STICKS;
     }
-    if (s->unit[from].lossy) { /* no clutch joins it to others */
+    if (s->unit[from].lossy) { /* not joined to others by a clutch */
       lossy_unit(s, from, y, mode, held);
       held = 0;
     } else if (held) {
@@ -376,7 +383,7 @@ rot_status rot_drive_forces(rot_drive_system *s, double t, const double y[],
       free_group(s, from, to, mode);
     }
     for (size_t u = from; u <= to && held; u++) {
-      if (s->unit[u].ground != SIZE_MAX) fraction_hold(s, u);
+      if (s->unit[u].ground != SIZE_MAX) distribute_hold(s, u);
     }
     from = to + 1;
   }

@@ -73,7 +73,8 @@ static rot_status build_gear(const rot_part *part, const rot_given given[], rot_
   return ratio_of(part, given, 0, &c->ratio, no);
 }
 
-/* A capacity of one law of knots must not fall below 0; that of other laws counts as 0 there. */
+/* Refuses a negative capacity given by a single table of knots; negative values of other laws are
+ * taken as 0. */
 static rot_status check_capacity(const rot_given given[], rot_store *store, rot_refusal *no) {
   rot_law_sum sum;
   if (rot_law_sum_of(&given[0], store, &sum) != ROT_OK) return ROT_ENOMEM;
@@ -85,6 +86,7 @@ static rot_status check_capacity(const rot_given given[], rot_store *store, rot_
                     : rot_refuse(no, 0, "must be at least 0 at all knots; it falls to %g", min);
 }
 
+/* inputs => rot_drive_friction, or a refusal. */
 static rot_status build_brake(const rot_part *part, const rot_given given[], rot_store *store,
                               void *to, rot_refusal *no) {
   rot_drive_friction *friction = to;
@@ -148,7 +150,7 @@ const rot_input rot_drive_inputs[ROT_DRIVE_INPUTS] = {
     [START] = ROT_NUMBER_INPUT("start_s", "s", 0, -DBL_MAX, 0, 0.0, "when the state above holds"),
 };
 
-/* Of an input that has an item for each rotor: item i, or what is given for a single rotor. */
+/* input with one item per rotor => item i, or the item of a single rotor. */
 static const rot_given *item_of(const rot_given *given, size_t i) {
   static const rot_given nothing = {0};
   if (!given->is) return &nothing;
@@ -170,6 +172,7 @@ static rot_status check_counts(const rot_given given[], size_t n, rot_refusal *n
   return ROT_OK;
 }
 
+/* list of couplings => kinds, ratios, parameters, or a refusal. */
 static rot_status build_couplings(const rot_given given[], size_t n, rot_store *store,
                                   rot_drive_scene *scene, rot_refusal *no) {
   const rot_given *g = &given[COUPLINGS];
@@ -200,7 +203,7 @@ static rot_status build_couplings(const rot_given given[], size_t n, rot_store *
   return ROT_OK;
 }
 
-/* n numbers, or the first, which the others follow. */
+/* input => n numbers, or the first number and the others by the ratios. */
 static rot_status through_ratios(const rot_given given[], size_t input, size_t n,
                                  const double ratio[], double x[], rot_refusal *no) {
   const rot_status status = rot_input_each(rot_drive_inputs, given, input, n, x, no);
@@ -227,6 +230,7 @@ static rot_status check_geared_rates(size_t n, const rot_drive_coupling coupling
   return ROT_OK;
 }
 
+/* inputs of each rotor => axle scene, brake, or a refusal. */
 static rot_status build_rotors(const rot_given given[], size_t n, rot_store *store,
                                rot_drive_scene *scene, rot_refusal *no) {
   double *inertia = rot_store_get(store, n, 4 * sizeof *inertia);
@@ -234,7 +238,7 @@ static rot_status build_rotors(const rot_given given[], size_t n, rot_store *sto
   rot_drive_friction *brake = rot_store_get(store, n, sizeof *brake);
   if (!inertia || !rotor || !brake) return ROT_ENOMEM;
   double *ratio = inertia + n, *theta = ratio + n, *omega = theta + n;
-  long double product = 1.0L; /* as R multiplies them */
+  long double product = 1.0L; /* as in R */
   rot_status status = rot_body_moments(given, BODIES, inertia, no);
   for (size_t i = 0; i < n; i++) {
     if (i > 0) product *= scene->coupling[i - 1].ratio;
@@ -271,8 +275,8 @@ static rot_status build_rotors(const rot_given given[], size_t n, rot_store *sto
   return status;
 }
 
-/* Breaks of what acts on one rotor or coupling, unsorted; returns how many, with `out` NULL room
- * that is enough. */
+/* Breaks of the loads of one rotor or coupling, unsorted. Returns their number; `out` NULL: an
+ * upper limit. */
 static size_t breaks_of(const rot_axle_scene *law, const rot_drive_friction *window, double out[]) {
   if (out && law->n_breaks) memcpy(out, law->breaks_s, law->n_breaks * sizeof *out);
   size_t n = law->n_breaks;
@@ -355,7 +359,7 @@ static rot_drive_columns columns_of(void *const column[]) {
   return out;
 }
 
-/* A ledger in the flows that are wanted, else in the store. */
+/* Ledger columns: the requested flows, or memory from the store. */
 static rot_status open_ledger(size_t n, const rot_rows *rows, rot_store *store,
                               rot_drive_ledger *ledger) {
   size_t k = 0, no_memory = 0;
@@ -369,7 +373,7 @@ static rot_status open_ledger(size_t n, const rot_rows *rows, rot_store *store,
   return no_memory ? ROT_ENOMEM : ROT_OK;
 }
 
-/* By a closed form, or integrated where there is none. */
+/* (form, scene, task) => rows by the closed form, or by integration (no form). */
 static rot_status run(rot_drive_form form, const rot_drive_scene *scene, const rot_task *task,
                       rot_method method, const rot_rows *rows, const rot_hooks *hooks,
                       rot_info *info) {

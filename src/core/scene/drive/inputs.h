@@ -1,4 +1,4 @@
-/* A drive from its inputs, its columns, and the runs of its models; couplings and brakes. */
+/* Inputs of a drive, of couplings and brakes; its columns; the runs of its models. */
 #ifndef ROT_DRIVE_INPUTS_H
 #define ROT_DRIVE_INPUTS_H
 
@@ -18,10 +18,12 @@ extern const rot_derived rot_drive_derived[ROT_DRIVE_DERIVED];
 extern const rot_column_of rot_drive_all_columns[ROT_DRIVE_ALL_COLUMNS];
 extern const rot_model_run rot_drive_runs[ROT_DRIVE_MODELS];
 
-/* rot_constraint.build, .start_s and .copies */
+/* rot_constraint.build: inputs => rot_drive_scene, or a refusal. */
 rot_status rot_drive_build(const rot_given given[], rot_store *store, void *scene,
                            rot_refusal *refusal);
+/* rot_constraint.start_s */
 double rot_drive_start_s(const void *scene);
+/* rot_constraint.rows_per_time: number of rotors. */
 size_t rot_drive_rows_per_time(const void *scene);
 
 /* coupling_shaft(), coupling_clutch(), coupling_gear(), brake() */

@@ -15,7 +15,7 @@ const char *const rot_drive_flow_names[ROT_DRIVE_FLOWS] = {
 
 /* ---- flows ----------------------------------------------------------------------------------- */
 
-/* From the torque of the shaft: the difference of two angles loses the twist of a stiff shaft. */
+/* From the torque of the shaft: a difference of two angles loses the twist of a stiff shaft. */
 void rot_drive_elastic(const rot_drive_scene *scene, size_t n, const rot_drive_columns *rows,
                        const rot_info *info, rot_drive_ledger *ledger) {
   const size_t rotors = scene->n;
@@ -53,7 +53,8 @@ void rot_drive_flow_errors(const rot_drive_scene *scene, const rot_drive_ledger 
   const double columns = (double)(2 * scene->n - 1);
   for (int k = 0; k < ROT_DRIVE_FLOWS; k++) error[k] = 0.0;
   error[WORK] = ledger->work_error_j;
-  error[RESISTANCE] = error[DAMPER] = 0.5 * ledger->heat_error_j / columns; /* at both ends */
+  error[RESISTANCE] = error[DAMPER] =
+      0.5 * ledger->heat_error_j / columns; /* at both ends of a change */
   error[TORQUE] = ledger->impulse_error_n_m_s;
   error[ELASTIC] = ledger->elastic_error_j;
 }
@@ -77,9 +78,9 @@ const rot_balance_term rot_drive_terms[ROT_DRIVE_TERMS] = {
     {MOMENTUM, ROT_SUPPLIED, "impulse of the gear housings", 0},
     {MOMENTUM, ROT_DISSIPATED, "impulse of resistance and brakes", 0}};
 
-/* Changes as products: a small one of a large energy keeps its digits. */
+/* Changes as products: a small change of a large energy keeps its digits. */
 void rot_drive_audit(const void *of, const rot_span *s, double term[]) {
-  enum { OMEGA = 1, HEAT = 8, COUPLING_HEAT = 9 }; /* places of columns */
+  enum { OMEGA = 1, HEAT = 8, COUPLING_HEAT = 9 }; /* indices of columns */
   const rot_drive_scene *scene = of;
   const size_t n = scene->n;
   const double *before = s->first + OMEGA * n, *after = s->last + OMEGA * n;
@@ -89,7 +90,7 @@ void rot_drive_audit(const void *of, const rot_span *s, double term[]) {
     kinetic += 0.5 * inertia * gain * (after[i] + before[i]);
     momentum += inertia * gain;
     heat += s->last[HEAT * n + i] - s->first[HEAT * n + i];
-    if (i + 1 < n) { /* shafts, clutches, gears: the order of rot_drive_kind */
+    if (i + 1 < n) { /* shafts, clutches, gears: order of rot_drive_kind */
       behind[scene->coupling[i].kind] +=
           s->last[COUPLING_HEAT * n + i] - s->first[COUPLING_HEAT * n + i];
     }
@@ -116,8 +117,8 @@ static int pushes(const rot_axle_scene *rotor) {
   return acts;
 }
 
-/* Torques, resistance and brakes act from outside, and so do the housings of gears. A clutch may
- * slip unless all that is joined turns together. */
+/* External: torques, resistance, brakes, supports of gears. A clutch may slip unless all joined
+ * rotors turn together. */
 size_t rot_drive_conserved(const void *of, size_t balance, const char *why[]) {
   const rot_drive_scene *scene = of;
   int torque = 0, resistance = 0, brake = 0, damped = 0, clutch = 0, mesh = 0, housing = 0;
@@ -135,7 +136,7 @@ size_t rot_drive_conserved(const void *of, size_t balance, const char *why[]) {
     housing |= c->ratio != 1.0;
   }
   const struct {
-    unsigned of; /* balances */
+    unsigned of; /* mask of balances */
     int acts;
     const char *words;
   } causes[] = {{3, torque, "a torque acts on a rotor"},

@@ -15,10 +15,10 @@ static double efficiency_of(const rot_drive_system *s, size_t i) {
 double rot_drive_mesh_gain(const rot_drive_system *s, const rot_drive_unit *unit) {
   double gain = 1.0;
   for (size_t i = unit->first; i + 1 < unit->end; i++) gain /= efficiency_of(s, i);
-  return gain * gain; /* of the torques, and of the inertia */
+  return gain * gain; /* torques and inertia */
 }
 
-/* What acts on rotor i but for the gears of its unit. */
+/* Torque on rotor i without the gears of its unit. */
 static double force_on(const rot_drive_system *s, const rot_drive_unit *unit, size_t i) {
   double torque = s->applied[i] + s->smooth[i] + s->dry[i] + s->brake[i];
   if (i == unit->first && i > 0) torque += s->scene->coupling[i - 1].ratio * s->torque[i - 1];
@@ -30,8 +30,8 @@ static double inertia_on(const rot_drive_system *s, size_t i) {
   return s->scene->rotor[i].linear.inertia_kg_m2 * s->fraction[i] * s->fraction[i];
 }
 
-/* Rotor i + 1 takes `taken` from its gear: what rotor i gives. `part` 1: all of the loss forward;
- * -1: backward; between them: of a gear at rest. */
+/* (torque `taken` by rotor i + 1 from its gear) => torque given by rotor i. part: 1: full loss
+ * forward, -1: full loss backward; between: a gear at rest. */
 static double given(rot_drive_system *s, size_t i, double taken, double part) {
   const double loss = pow(efficiency_of(s, i), taken > 0.0 ? part : taken < 0.0 ? -part : 0.0);
   s->passed[i] = loss;
@@ -41,7 +41,7 @@ static double given(rot_drive_system *s, size_t i, double taken, double part) {
 
 /* ---- turning --------------------------------------------------------------------------------- */
 
-/* The acceleration that the power flows at acceleration a give; with it the gears' torques at a. */
+/* Acceleration under the directions of power flow at acceleration a; torques of the gears at a. */
 static double with_flows_at(rot_drive_system *s, const rot_drive_unit *unit, double direction,
                             double a) {
   double force = 0.0, inertia = 0.0, taken = 0.0;
@@ -60,8 +60,8 @@ static double with_flows_at(rot_drive_system *s, const rot_drive_unit *unit, dou
   return force / inertia;
 }
 
-/* The torque that the first rotor lacks is convex in way * a and piecewise linear: Newton's
- * iteration ends after a few flows, and falls from the second on. */
+/* The torque residual of the first rotor is convex in direction * a and piecewise linear: Newton's
+ * iteration is finite, a few steps, monotonic from the second on. */
 void rot_drive_mesh_turns(rot_drive_system *s, size_t unit, double direction) {
   const rot_drive_unit *u = &s->unit[unit];
   double a = s->force[unit] / u->inertia;
@@ -77,7 +77,7 @@ void rot_drive_mesh_turns(rot_drive_system *s, size_t unit, double direction) {
 
 /* ---- at rest --------------------------------------------------------------------------------- */
 
-/* The torque that the first rotor lacks where friction and losses resist by this part. */
+/* Torque residual of the first rotor if friction and losses resist at the fraction `part`. */
 static double lacking(rot_drive_system *s, const rot_drive_unit *unit, double part) {
   double taken = 0.0;
   for (size_t i = unit->end; i-- > unit->first;) {
@@ -87,13 +87,14 @@ static double lacking(rot_drive_system *s, const rot_drive_unit *unit, double pa
   return taken;
 }
 
+/* Solves for the common fraction at which friction and losses balance the load. */
 void rot_drive_mesh_rests(rot_drive_system *s, size_t unit, double *capacity, double *load) {
   const rot_drive_unit *u = &s->unit[unit];
   double low = -1.0, high = 1.0, at_low = lacking(s, u, low), at_high = lacking(s, u, high);
   *capacity = 0.5 * (at_high - at_low);
   *load = -0.5 * (at_high + at_low);
   double part = at_high <= 0.0 ? high : at_low >= 0.0 ? low : 0.0;
-  /* It rises with the part: regula falsi, halved. */
+  /* The residual increases with the fraction: regula falsi with bisection. */
   for (int k = 0; at_low < 0.0 && at_high > 0.0 && k < 120; k++) {
     part = k % 3 == 2 ? 0.5 * (low + high) : low + (high - low) * (at_low / (at_low - at_high));
     if (!(part > low && part < high)) break;

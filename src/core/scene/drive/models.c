@@ -45,6 +45,7 @@ static unsigned torque_effects(const rot_axle_scene *r) {
   return mask;
 }
 
+/* scene => mask of its effects. */
 static unsigned effects_of(const void *of) {
   const rot_drive_scene *scene = of;
   unsigned mask = 0;
@@ -75,7 +76,7 @@ static const char *not_integrated(const void *of, const rot_query *query) {
              : NULL;
 }
 
-/* What lasts, in rad: the shafts' and the laws' own; what resistance and dampers let decay. */
+/* Rates: oscillation (shafts and laws), decay (resistance and dampers). */
 static void rates_of(const rot_drive_scene *scene, double *swing_per_s, double *decay_per_s) {
   *swing_per_s = *decay_per_s = 0.0;
   for (size_t i = 0; i < scene->n; i++) {
@@ -104,8 +105,8 @@ static int calls(const rot_drive_friction *friction) {
   return friction->law.linear.torque.call != NULL;
 }
 
-/* As of an axle (scene/axle/models.c), a call of the right-hand side by rotors. seconds: the rate,
- * its power, decay times, steps after, of explicit and implicit steps. */
+/* As of an axle (scene/axle/models.c), with a right-hand side per rotor. model->seconds: step rate,
+ * its power, decay times, later steps; for explicit and implicit steps. */
 static double integrated_s(const rot_model *model, const void *of, const rot_query *query,
                            int implicit) {
   const rot_drive_scene *scene = of;
@@ -149,31 +150,31 @@ EXACT_WHY(not_axle, ROT_DRIVE_AS_AXLE)
 EXACT_WHY(not_clutch, ROT_DRIVE_AS_CLUTCH)
 EXACT_WHY(not_modal, ROT_DRIVE_AS_SHAFT)
 
-/* c_i = a k_i and d_i = b J_i: each mode is a closed form (scene/shaft/modal.h). */
-static int modes_difference(const rot_drive_scene *scene) {
+/* 1 if c_i = a k_i and d_i = b J_i: each mode has a closed form (scene/shaft/modal.h). */
+static int modes_decouple(const rot_drive_scene *scene) {
   const rot_drive_coupling *shaft = NULL;
-  int difference = 1;
+  int decoupled = 1;
   for (size_t i = 0; i < scene->n; i++) {
     const rot_axle_scene *r = &scene->rotor[i], *first = &scene->rotor[0];
     const double d = r->viscous_n_m_s * first->linear.inertia_kg_m2;
-    difference &= fabs(d - first->viscous_n_m_s * r->linear.inertia_kg_m2) <= 1e-12 * d;
+    decoupled &= fabs(d - first->viscous_n_m_s * r->linear.inertia_kg_m2) <= 1e-12 * d;
     const rot_drive_coupling *c = i + 1 < scene->n ? &scene->coupling[i] : NULL;
     if (!c || c->kind != ROT_DRIVE_SHAFT) continue;
     if (!shaft) shaft = c;
     const double damped = c->damping_n_m_s * shaft->stiffness_n_m_per_rad;
-    difference &= fabs(damped - shaft->damping_n_m_s * c->stiffness_n_m_per_rad) <= 1e-12 * damped;
+    decoupled &= fabs(damped - shaft->damping_n_m_s * c->stiffness_n_m_per_rad) <= 1e-12 * damped;
   }
-  return difference;
+  return decoupled;
 }
 
-/* The heat of resistance and dampers takes 15 nodes of quadrature in each interval of the rows.
- * seconds: of a run; of a row of a rotor without losses, with, and with modes that are coupled. */
+/* The heat of resistance and dampers needs 15 quadrature nodes per interval of the rows.
+ * model->seconds: per run; per row of a rotor without losses, with losses, with coupled modes. */
 static double exact_s(const rot_model *model, const void *of, const rot_query *query) {
   const rot_drive_scene *scene = of;
   const double rows = (double)query->n * (double)scene->n;
   int lossy = (effects_of(of) & VISCOUS) != 0;
   for (size_t i = 0; i + 1 < scene->n; i++) lossy |= scene->coupling[i].damping_n_m_s > 0.0;
-  const int coupled = lossy && model->seconds[3] > 0.0 && !modes_difference(scene);
+  const int coupled = lossy && model->seconds[3] > 0.0 && !modes_decouple(scene);
   return model->seconds[0] + rows * model->seconds[coupled ? 3 : lossy ? 2 : 1];
 }
 

@@ -12,23 +12,23 @@
 #include "ground/real.h"
 #include "ground/search.h"
 
-/* Beyond the state: integrals, then the heat of each rotor's resistance, of its brake, of each
- * coupling, then the number of the modes, which the rows read. */
+/* Components after the state: integrals; heat of the resistance of each rotor, of its brake, of
+ * each coupling; the number of the mode set, for the rows. */
 enum { WORK, TORQUE, RESISTANCE, HOUSING, INTEGRALS };
 
 typedef struct motion {
   rot_drive_system s;
-  size_t dim, resistance_at, brake_at, coupling_at, mode_at;
+  size_t dim;                                           /* number of components */
+  size_t resistance_at, brake_at, coupling_at, mode_at; /* first components of the heats, mode */
   double *breaks, *slope, *y;
   size_t n_breaks;
-  signed char
-      *modes; /* a row for each set of modes; row 0: those at the start, found nowhere else */
+  signed char *modes; /* n_modes rows: sets of modes; row 0: the start, used there only */
   size_t n_modes, room;
   signed char *now, *before;
-  int mode; /* the row in use */
+  int mode; /* present row of `modes` */
   double span_s, noise[3];
-  double max[2];     /* largest |theta|, |omega| on the way */
-  rot_status failed; /* in an event function: rhs reports it */
+  double max[2];     /* largest |theta|, |omega| so far */
+  rot_status failed; /* status of an event function, returned by the next rhs */
   rot_events *events;
 } motion;
 
@@ -38,6 +38,7 @@ static signed char *modes_of(const motion *m, int mode) {
 
 /* ---- the right-hand side --------------------------------------------------------------------- */
 
+/* (t, state) => rates of state, integrals and heats, in the present modes. */
 static rot_status drive_rhs(double t, const double y[], double dydt[], void *ctx) {
   motion *m = ctx;
   rot_drive_system *s = &m->s;
@@ -85,7 +86,7 @@ static void new_positions(double t, double h, const double before[], double y[],
 
 /* ---- modes ----------------------------------------------------------------------------------- */
 
-/* The row of these modes: one that was used before, or a new one. */
+/* modes => their row: an earlier one, or a new one. */
 static rot_status number_modes(motion *m, const signed char mode[], int *number) {
   const size_t k = m->s.n_contacts;
   for (size_t i = 1; i < m->n_modes; i++) {
@@ -106,7 +107,7 @@ static rot_status number_modes(motion *m, const signed char mode[], int *number)
   return ROT_OK;
 }
 
-/* Where contact k is: the first rotor of its unit that has friction. */
+/* Place of contact k in events: first rotor with friction of its unit. */
 static int place_of(const motion *m, size_t k) {
   const rot_drive_contact *c = &m->s.contact[k];
   const rot_drive_unit *u = &m->s.unit[c->unit];
@@ -117,7 +118,8 @@ static int place_of(const motion *m, size_t k) {
   return (int)(u->first + 1);
 }
 
-/* A contact that is open to both sides has no events. */
+/* (modes before, after) => events. Changes from open to slipping, or without capacity, are no
+ * events. */
 static rot_status log_changes(motion *m, double t, const signed char before[],
                               const signed char after[]) {
   rot_status status = ROT_OK;
@@ -134,7 +136,7 @@ static rot_status log_changes(motion *m, double t, const signed char before[],
   return status;
 }
 
-/* Just after t, where t is a break: laws have their values on that side. */
+/* t => time just after t if t is a break: value of the laws after it. */
 static double side_after(const motion *m, double t) {
   const size_t k = rot_lower_bound(m->n_breaks, m->breaks, t);
   return k < m->n_breaks && m->breaks[k] == t ? nextafter(t, INFINITY) : t;
@@ -146,11 +148,11 @@ static double ahead(const motion *m, double t) {
   return fmax(fmin(next, 1e-9 * m->span_s), 0.0);
 }
 
-/* How far rounding may move the rates: the sum of what acts. Where a motion begins in it, no step
- * would pass its error test. */
+/* Rounding of the rates: proportional to the sum of the torques. Without it no step would pass the
+ * error test where the motion starts within rounding. */
 static void note_noise(motion *m) {
   double max = 0.0;
-  double off = 0.0; /* of laws that are samples */
+  double off = 0.0; /* of sampled laws */
   for (size_t u = 0; u < m->s.m; u++) max = fmax(max, m->s.size[u] / m->s.unit[u].inertia);
   for (size_t i = 0; i < m->s.n; i++) {
     const rot_axle_scene *rotor = &m->s.scene->rotor[i];
@@ -160,8 +162,8 @@ static void note_noise(motion *m) {
   m->noise[0] = m->noise[2] = m->noise[1] * m->span_s;
 }
 
-/* Bodies that stick together reach rest together: the event of one of them leaves the rounding of
- * their rates in the others. */
+/* Sticking bodies come to rest together: after the event of one of them the others have a rate
+ * within rounding: set to 0. */
 static void round_to_rest(const motion *m, double y[]) {
   for (size_t k = 0; k < m->s.n_contacts; k++) {
     double *speed = &y[m->s.contact[k].state];
@@ -186,7 +188,7 @@ static rot_status settle_in(motion *m, double t, double y[], int breaks) {
 
 /* ---- events ---------------------------------------------------------------------------------- */
 
-/* The engine logged the event under its general name: the log takes what really changed. */
+/* Replaces the engine's generic log entry by the actual events. */
 static rot_ode_then settle_at(double t, double y[], int *mode, void *ctx, int breaks) {
   motion *m = ctx;
   if (m->events && m->events->count) m->events->count--;
@@ -205,7 +207,7 @@ static rot_ode_then at_limit(double t, double y[], int *mode, int forward, void 
   return settle_at(t, y, mode, ctx, 1);
 }
 
-/* Quadratic drag has a kink at rest. */
+/* Quadratic drag has a kink at rest: a new segment. */
 static rot_ode_then at_kink(double t, double y[], int *mode, int forward, void *ctx) {
   const motion *m = ctx;
   if (forward && m->s.n_contacts) return settle_at(t, y, mode, ctx, 0);
@@ -226,7 +228,7 @@ static void cross_break(double t, double y[], int forward, void *ctx) {
   if (forward && m->s.n_contacts && m->failed == ROT_OK) settle_in(m, t, y, 0);
 }
 
-/* An observer: called at the end of each step and in each row. */
+/* Observer, called at the end of each step and in each row. */
 static void note_state(double t, double y[], void *ctx) {
   motion *m = ctx;
   (void)t;
@@ -253,6 +255,7 @@ static size_t add_friction_breaks(const rot_drive_friction *friction, double out
   return n;
 }
 
+/* Breaks of all laws and friction windows, sorted, unique. */
 static rot_status collect_breaks(motion *m) {
   const rot_drive_scene *scene = m->s.scene;
   size_t room = 1, n = 0;
@@ -287,8 +290,8 @@ static int law_has_curve(const rot_axle_scene *law) {
   return 0;
 }
 
-/* A capacity that is no piecewise linear function of time has a kink where it reaches 0, a gear
- * with a loss where the power through it turns. */
+/* 1 if kinks occur at unknown times: a capacity that is not piecewise linear in time reaches 0; the
+ * power through a lossy gear changes its sign. */
 static int has_kinks(const rot_drive_scene *scene) {
   int kinks = 0;
   for (size_t i = 0; i < scene->n; i++) {
@@ -304,7 +307,7 @@ static int has_kinks(const rot_drive_scene *scene) {
   return kinks;
 }
 
-/* A torque, or what a brake or clutch carries, that only the caller can evaluate. */
+/* 1 if a torque or a capacity is a function of the caller. */
 static int calls_law(const rot_drive_scene *scene) {
   int calls = 0;
   for (size_t i = 0; i < scene->n; i++) {
@@ -315,6 +318,7 @@ static int calls_law(const rot_drive_scene *scene) {
   return calls;
 }
 
+/* scene => motion with its memory. */
 static rot_status motion_new(motion *m, const rot_drive_scene *scene, double span_s) {
   memset(m, 0, sizeof *m);
   m->span_s = span_s;
@@ -346,7 +350,7 @@ static void motion_free(motion *m) {
   free(m->y);
 }
 
-/* Row 0 of the modes, from the state at the start. */
+/* state at the start => row 0 of the modes. */
 static rot_status settle_at_start(motion *m) {
   const double start = m->s.scene->start_s;
   rot_drive_start(&m->s, m->y);
@@ -356,13 +360,14 @@ static rot_status settle_at_start(motion *m) {
 
 /* ---- rows ------------------------------------------------------------------------------------ */
 
+/* (t, state) => rows of all rotors, ledger. */
 static rot_status fill_row(motion *m, size_t row, double t, double y[],
                            const rot_drive_columns *out, const rot_drive_ledger *sums) {
   rot_drive_system *s = &m->s;
   const signed char *mode = modes_of(m, (int)y[m->mode_at]);
   rot_status status = ROT_OK;
   if (s->n_contacts && side_after(m, t) != t &&
-      t >= s->scene->start_s) { /* as the laws: after it */
+      t >= s->scene->start_s) { /* after a jump, as the laws */
     memcpy(m->now, mode, s->n_contacts);
     status = rot_drive_settle(s, side_after(m, t), y, m->now, 0, ahead(m, t));
     mode = m->now;
@@ -419,7 +424,7 @@ static rot_status fill_rows(motion *m, size_t n, const double time_s[], double y
   return ROT_OK;
 }
 
-/* Errors of the groups hold for each rotor: none turns faster than the coordinate of its unit. */
+/* The error of a unit bounds that of its rotors: its coordinate is the fastest one. */
 static void note_errors(const motion *m, size_t n_groups, const double error[], rot_info *info,
                         rot_drive_ledger *sums) {
   const double *integral = error + n_groups;
@@ -438,8 +443,8 @@ static void note_errors(const motion *m, size_t n_groups, const double error[], 
 
 /* ---- the run --------------------------------------------------------------------------------- */
 
-/* A contact that breaks loose does so without an acceleration where its static capacity is that of
- * sliding: its mode knows the way, the slope is rounding. */
+/* (mode, component) => sign of the slip after breaking loose. If static and kinetic capacity are
+ * equal, the slip rate is 0 up to rounding: take the sign from the mode. */
 static int direction_of_slip(int mode, size_t component, void *ctx) {
   const motion *m = ctx;
   for (size_t k = 0; k < m->s.n_contacts; k++) {
@@ -449,6 +454,7 @@ static int direction_of_slip(int mode, size_t component, void *ctx) {
   return 0;
 }
 
+/* Event functions: slip speeds, kinks, margin. Returns their number. */
 static size_t list_events(const motion *m, rot_ode_event event[]) {
   const rot_drive_system *s = &m->s;
   size_t n = 0;
@@ -472,6 +478,7 @@ static size_t list_events(const motion *m, rot_ode_event event[]) {
   return n;
 }
 
+/* (options, times) => rows, ledger, errors by rot_ode_run(). */
 static rot_status run(motion *m, const rot_drive_ode_options *options, size_t n,
                       const double time_s[], double y[], const rot_drive_columns *out,
                       rot_drive_ledger *sums, const rot_hooks *hooks, rot_info *info) {
@@ -500,8 +507,8 @@ static rot_status run(motion *m, const rot_drive_ode_options *options, size_t n,
         .breaks = m->breaks,
         .start_s = s->scene->start_s,
         .start = m->y,
-        /* Relative to the largest of all rotors, which a norm of them may exceed; and to theta,
-         * which may be half as large as theta less theta0. */
+        /* Relative to the largest value of all rotors, which their norm may exceed; and to theta,
+         * which may be half of |theta - theta0|. */
         .accuracy = (offset ? 0.5 : 1.0) / sqrt((double)rates) * options->accuracy,
         .max_steps = options->max_steps,
         .method = options->method,
@@ -530,6 +537,7 @@ static rot_status run(motion *m, const rot_drive_ode_options *options, size_t n,
   return status;
 }
 
+/* Integrates; a second time if the chosen method turns out too inaccurate. */
 rot_status rot_drive_integrate(const rot_drive_scene *scene, const rot_drive_ode_options *options,
                                size_t n, const double time_s[], const rot_drive_columns *out,
                                rot_drive_ledger *ledger, rot_events *events, const rot_hooks *hooks,
@@ -546,7 +554,7 @@ rot_status rot_drive_integrate(const rot_drive_scene *scene, const rot_drive_ode
   if (!y) status = ROT_ENOMEM;
   if (status == ROT_OK) {
     status = run(&m, options, n, time_s, y, out, ledger, hooks, info);
-    /* Where it turned out stiff, the tolerance was that of an explicit method. */
+    /* A switch to the implicit method kept the tolerance of the explicit one: repeat. */
     if (status == ROT_OK && options->method == ROT_METHOD_NONE &&
         info->method == ROT_METHOD_RADAU && rot_info_error(info) > options->accuracy) {
       const rot_drive_ode_options implicit = {options->accuracy, options->max_steps,

@@ -6,9 +6,9 @@
 #include "scene/axle/time_scales.h"
 #include "scene/drive/drive.h"
 
-/* A bound on the largest eigenvalue of J^-1/2 K J^-1/2 (Gershgorin), with K of springs or dampers
- * between neighbours, each behind a gear: k (theta_i - ratio theta_(i+1))^2/2. Gears that hold
- * rotors together only lessen it. `of`: where a coupling has its k. */
+/* Bound (Gershgorin) on the largest eigenvalue of J^-1/2 K J^-1/2, K of springs or dampers between
+ * neighbours with ratios: k (theta_i - ratio theta_(i+1))^2/2. Rigid gears only decrease it. of:
+ * offset of k in a coupling. */
 static double largest_rate(const rot_drive_scene *scene, size_t of) {
   double max = 0.0, before = 0.0;
   for (size_t i = 0; i < scene->n; i++) {
@@ -27,6 +27,7 @@ static double largest_rate(const rot_drive_scene *scene, size_t of) {
   return max;
 }
 
+/* Oscillation: shafts, laws, rates of the rotors; decay: dampers, resistance. */
 void rot_drive_time_scales(const void *of, const double sizes[], rot_time_scales *to) {
   const rot_drive_scene *scene = of;
   double decay = 0.0;

@@ -2,9 +2,10 @@
 
 #include <string.h>
 
+/* Sums inertia and viscous coefficients of geared rotors at the first shaft. */
 rot_status rot_drive_units_of(const rot_drive_scene *scene, rot_store *store, rot_drive_units *u) {
   const size_t n = scene->n;
-  long double product = 1.0L; /* as R multiplies them */
+  long double product = 1.0L; /* as in R */
   u->n = n;
   u->m = 0;
   u->unit = rot_store_get(store, n, 2 * sizeof *u->unit);
@@ -63,7 +64,7 @@ static rot_status scale_knots(rot_torque *knots, double by, rot_store *store) {
   return ROT_OK;
 }
 
-/* A polynomial has n pieces, m coefficients each, n + 1 breaks, then the coefficients. */
+/* Layout of a polynomial term: n pieces, m coefficients each, n + 1 breaks, coefficients. */
 static rot_status scale_term(rot_term *term, double by, rot_store *store) {
   double *x = rot_store_get(store, term->length, sizeof *x);
   if (!x) return ROT_ENOMEM;
@@ -75,6 +76,7 @@ static rot_status scale_term(rot_term *term, double by, rot_store *store) {
   return ROT_OK;
 }
 
+/* Loads of each rotor, scaled to the first shaft and added. */
 rot_status rot_drive_unit_loads(const rot_drive_scene *scene, const rot_drive_units *u, size_t k,
                                 rot_store *store, rot_loads *loads) {
   size_t n_terms = 0, n_knots = 0;

@@ -10,7 +10,7 @@
 typedef struct run {
   const rot_free_params *p;
   rot_free_motion motion;
-  double q0[4]; /* of the principal axes */
+  double q0[4]; /* attitude of the principal axes at the start */
   const double *time_s;
   const rot_free_columns *out;
   rot_info *info;
@@ -33,6 +33,7 @@ const char *rot_free_not_exact(const rot_free_params *p) {
   }
 }
 
+/* (motion, i) => row i, its errors. */
 static rot_status write_row(void *model, size_t i) {
   const run *r = model;
   const rot_free_params *p = r->p;
@@ -47,7 +48,7 @@ static rot_status write_row(void *model, size_t i) {
     if (!isfinite(s)) return ROT_ERANGE;
     rot_free_at(&r->motion, (rot_dd){s, 0.0}, &at);
     fade = exp(-damping * t.hi);
-    /* s and its argument are rounded */
+    /* rounding of s and of its argument */
     late = ROT_EPS * (4.0 * fabs(s) + 2.0 * fabs(t.hi) * fade) *
            rot_ldexp(r->motion.rate, r->motion.exponent);
     for (int k = 0; k < 3; k++) at.omega[k] *= fade;
@@ -62,7 +63,7 @@ static rot_status write_row(void *model, size_t i) {
   return rot_free_write(p, at.omega, q, i, r->out);
 }
 
-/* The k-th zero of the rate about the middle axis, in s of the scene; NaN where it never comes. */
+/* Time of the k-th zero of the rate about the middle axis, in s of the scene; NaN: never. */
 static double flip_at(const run *r, double k) {
   const rot_free_motion *m = &r->motion;
   const double damping = r->p->damping_per_s;
@@ -80,6 +81,7 @@ static double phase_of(const run *r, double time_s) {
   return ldexp(t, r->motion.exponent) * r->motion.lambda.hi + r->motion.start.hi;
 }
 
+/* motion => events at the zeros between the first and the last row. */
 static rot_status log_flips(const run *r, size_t n, const double time_s[], rot_events *events) {
   const rot_free_motion *m = &r->motion;
   if (!n || m->still || m->steady || m->jacobi.m1 == 0.0 ||
@@ -112,7 +114,7 @@ rot_status rot_free_exact(const rot_free_params *p, size_t n, const double time_
   return status == ROT_OK ? info->status = log_flips(&r, n, time_s, events) : status;
 }
 
-/* Of exp(-2 damping t) times the energy, and exp(-damping t) times L. */
+/* From the decay of the energy, exp(-2 damping t), and of L, exp(-damping t). */
 void rot_free_flows(const rot_free_params *p, double from_s, double to_s,
                     double flow[ROT_FREE_FLOWS]) {
   double omega[3], q[4], l[3], space[3], energy = 0.0;

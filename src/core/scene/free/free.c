@@ -17,6 +17,7 @@ void rot_free_principal(const rot_free_params *p, double omega[3], double q[4]) 
   (void)rot_attitude_unit(q);
 }
 
+/* Quaternion, rates and momentum in own and space axes, energy. */
 rot_status rot_free_write(const rot_free_params *p, const double omega[3], const double q[4],
                           size_t i, const rot_free_columns *out) {
   double own_q[4] = {q[0], q[1], q[2], q[3]}, own[3] = {omega[0], omega[1], omega[2]};
@@ -51,6 +52,7 @@ rot_status rot_free_write(const rot_free_params *p, const double omega[3], const
   return isfinite(sum + energy) ? ROT_OK : ROT_ERANGE;
 }
 
+/* Converts both errors to the three measures. */
 void rot_free_note(const rot_free_params *p, const double omega[3], double angle_error,
                    double omega_error, rot_info *info) {
   double l[3], max = 0.0;

@@ -1,11 +1,11 @@
-/* A body that nothing holds, about its centre of mass:
+/* A free body, about its centre of mass:
  *
- *   L' = L x omega + torque - damping L   in the body's axes,   L = I omega,
+ *   L' = L x omega + torque - damping L   in body axes,   L = I omega,
  *   q' = q (0, omega)/2.
  *
- * With rotors, L = I omega + the sum of moment omega_rotor axis, where I has the rotors locked: see
- * scene/free/rotors.h. The core works in the principal axes; the caller's own axes may be
- * others. */
+ * With rotors: L = I omega + the sum of moment omega_rotor axis, I with locked rotors
+ * (scene/free/rotors.h). The core computes in principal axes; the own axes of the caller may
+ * differ. */
 #ifndef ROT_FREE_H
 #define ROT_FREE_H
 
@@ -14,56 +14,59 @@
 #include "engine/events.h"
 #include "ground/status.h"
 
-/* A torque that only the caller can evaluate: time, omega in own axes, attitude, torque. */
+/* Torque of the caller: (time, omega in own axes, attitude) => torque. */
 typedef rot_status (*rot_free_law)(double t, const double omega[3], const double q[4],
                                    double torque[3], void *ctx);
 
-/* Torques of motors that only the caller can evaluate: one for each rotor, about its axis. */
+/* Motor torques of the caller: (time, omega in own axes, attitude) => torque of each rotor about
+ * its axis. */
 typedef rot_status (*rot_free_motors)(double t, const double omega[3], const double q[4],
                                       double torque[], void *ctx);
 
 enum { ROT_FREE_MAX_ROTORS = 16 };
 
-/* A rotor that is symmetric about its axis, on which its centre of mass lies. */
+/* A rotor, symmetric about its axis, with its centre of mass on it. */
 typedef struct rot_free_rotor {
-  double axis[3];                       /* own axes, of unit length */
-  double moment_kg_m2, omega_rad_per_s; /* about the axis; relative to the body, at the start */
-  int driven;                           /* at that speed; else the torque of its motor: */
-  double torque;                        /* N m, on the rotor; the body has the opposite one */
-  size_t n_knots; /* and one that is linear between times, 0 before and after; 0: none */
+  double axis[3];         /* own axes, unit vector */
+  double moment_kg_m2;    /* > 0, about the axis */
+  double omega_rad_per_s; /* relative to the body, at the start */
+  int driven;             /* 1: constant speed; 0: torque of its motor, the sum of: */
+  double torque;          /* N m, constant, on the rotor; the opposite on the body */
+  size_t n_knots;         /* piecewise linear in time, 0 outside; 0: none */
   const double *knot_s, *knot_torque;
 } rot_free_rotor;
 
 typedef struct rot_free_params {
   double moment_kg_m2[3];     /* principal, >= 0 */
-  int turned;                 /* own axes are not the principal axes: */
+  int turned;                 /* 1: the own axes are not the principal axes */
   double axes[4];             /* v_own = axes v_principal axes* */
-  double given;               /* relative error of the moments, 0 where they are exact */
+  double given;               /* relative error of the moments; 0: exact */
   double omega0_rad_per_s[3]; /* own axes */
-  double q0[4];               /* own axes to space, of unit length */
+  double q0[4];               /* own axes to space, unit quaternion */
   double start_s;
-  double damping_per_s;
-  /* Of a body with a fixed point, about which the moments are: its weight times the centre of mass
-   * from there, in principal axes. Gravity's torque is z x lever, z upward. Else 0. */
+  double damping_per_s; /* any sign; < 0 drives */
+  /* Body with a fixed point (moments about this point): weight times centre of mass from there, in
+   * principal axes. Torque of gravity: z x lever, z upward. Free body: 0. */
   double lever_n_m[3];
-  double lever_low_n_m[3]; /* what it lacks of the product, by rounding */
-  int in_space;            /* axes of the torque; else the own ones */
-  double torque[3];        /* N m, constant */
-  size_t n_knots;          /* and one that is linear between times, 0 before and after; 0: none */
-  const double *knot_s;
-  const double *knot_torque[3];
-  rot_free_law law; /* and one of the caller's; may be NULL */
-  void *ctx;
-  double law_noise_n_m; /* how far it may be off */
-  size_t n_rotors;      /* at most ROT_FREE_MOST_ROTORS */
+  double lever_low_n_m[3]; /* rounding error of that product */
+  /* The torque is a sum of three. */
+  int in_space;                 /* its axes: 1: space, 0: own axes */
+  double torque[3];             /* constant, N m */
+  size_t n_knots;               /* piecewise linear in time, 0 outside; 0: none */
+  const double *knot_s;         /* n_knots */
+  const double *knot_torque[3]; /* n_knots each, N m */
+  rot_free_law law;             /* of the caller; NULL: none */
+  void *ctx;                    /* of the law */
+  double law_noise_n_m;         /* >= 0, error of the law */
+  size_t n_rotors;              /* 0 to ROT_FREE_MAX_ROTORS */
   const rot_free_rotor *rotors;
-  rot_free_motors motors; /* of those that are not driven; may be NULL */
+  rot_free_motors motors; /* of the rotors that are not driven; NULL: none */
   void *motors_ctx;
-  size_t n_breaks; /* times at which a torque may jump or kink, increasing */
-  const double *breaks_s;
+  size_t n_breaks;        /* number of times at which a torque may jump or kink */
+  const double *breaks_s; /* increasing */
 } rot_free_params;
 
-/* Measures of its errors: the attitude by its angle, the others as vectors. */
+/* Measures of the errors. Attitude: angle of rotation; others: vectors. */
 enum { ROT_FREE_ATTITUDE, ROT_FREE_OMEGA, ROT_FREE_MOMENTUM };
 extern const char *const rot_free_measures[];
 
@@ -78,7 +81,7 @@ extern const char *const rot_free_measures[];
   X(double, omega_space_x_rad_per_s)                                                               \
   X(double, omega_space_y_rad_per_s)                                                               \
   X(double, omega_space_z_rad_per_s)                                                               \
-  X(double, angular_momentum_x_kg_m2_per_s) /* axes of space */                                    \
+  X(double, angular_momentum_x_kg_m2_per_s) /* space axes */                                       \
   X(double, angular_momentum_y_kg_m2_per_s)                                                        \
   X(double, angular_momentum_z_kg_m2_per_s)                                                        \
   X(double, rotational_kinetic_energy_j)
@@ -87,12 +90,13 @@ typedef struct rot_free_columns {
 #define X(type, name) type *name;
   ROT_FREE_COLUMNS(X)
 #undef X
-  double *const *rotor_omega;    /* of each rotor: relative to the body */
+  /* One column per rotor; not used without rotors. */
+  double *const *rotor_omega;    /* relative to the body */
   double *const *rotor_momentum; /* about its axis, in space */
-} rot_free_columns;              /* the last two: not looked at without rotors */
+} rot_free_columns;
 
-/* From the start to a time: work of the torque, heat of the damping, and what both do to L in space
- * axes; work of the motors of rotors. */
+/* From the start to a time: work of the torque, heat of the damping, their impulses in space axes,
+ * work of the motors of rotors. */
 #define ROT_FREE_LEDGER(X)                                                                         \
   X(work_j)                                                                                        \
   X(heat_j)                                                                                        \
@@ -107,19 +111,19 @@ typedef struct rot_free_columns {
 enum { ROT_FREE_OWN_COLUMNS = 14 }; /* without those of rotors, two each */
 enum { ROT_FREE_FLOWS = 9, ROT_FREE_MOTOR_WORK = 8, ROT_FREE_MAX_FLIPS = 10000 };
 
-/* Rates in principal axes, attitude of these. */
+/* parameters => rates in principal axes, attitude of the principal axes. */
 void rot_free_principal(const rot_free_params *p, double omega[3], double q[4]);
 
-/* Row i, from both in principal axes. ROT_ERANGE where a value is not finite. */
+/* (rates, attitude) in principal axes => row i. ROT_ERANGE: a value is not finite. */
 rot_status rot_free_write(const rot_free_params *p, const double omega[3], const double q[4],
                           size_t i, const rot_free_columns *out);
 
-/* Notes a row with its errors, of the angle and of |omega|, and the rows' sizes. */
+/* (row, its errors of angle and |omega|) => *info: errors, largest values. */
 void rot_free_note(const rot_free_params *p, const double omega[3], double angle_error,
                    double omega_error, rot_info *info);
 
-/* Whether a body of these principal moments and rates would, without torque, turn over again and
- * again: its middle axis comes within 45 degrees of the angular momentum. */
+/* (principal moments, rates) => 1 if the torque-free body flips repeatedly: its middle axis comes
+ * within 45 degrees of the angular momentum; else 0. */
 int rot_free_flips(const double moment_kg_m2[3], const double omega_rad_per_s[3]);
 
 #endif

@@ -16,25 +16,26 @@ static const double pi = 0x1.921fb54442d18p+1;
 typedef struct gyrostat {
   rot_free_rotors rotors;
   const rot_free_params *p;
-  double q0[4]; /* of the principal axes */
-  double axis[3];
-  int exponent;                      /* rates are in the unit 2^exponent rad/s */
-  rot_dd turn, spin;                 /* |L|/A, c */
-  double turn_size, spin_size;       /* sums of the sizes of their terms */
-  double direction[3];               /* of L, at the start */
-  double along, across[3], ahead[3]; /* of omega at the start: a's part, the rest, a x the rest */
-  double size;                       /* |omega| of the rest */
+  double q0[4];                /* attitude of the principal axes at the start */
+  double axis[3];              /* a */
+  int exponent;                /* unit of the rates: 2^exponent rad/s */
+  rot_dd turn, spin;           /* |L|/A, c */
+  double turn_size, spin_size; /* sums of their |terms| */
+  double direction[3];         /* of L at the start */
+  double along;                /* omega_a at the start */
+  double across[3], ahead[3];  /* omega - omega_a a at the start; a x it */
+  double size;                 /* |across| */
   double given, direction_error;
-  int general; /* moments across that differ: */
-  int order[3];
-  rot_gyrostat_motion motion; /* in the axes order[0], order[1], order[2] */
+  int general;                /* 1: the moments across a differ */
+  int order[3];               /* general: axes of the motion */
+  rot_gyrostat_motion motion; /* general: in axes order[0], order[1], order[2] */
   const double *time_s;
   const rot_free_columns *out;
   rot_info *info;
 } gyrostat;
 
-/* How far the momenta of rotors are off each axis: 0 where they are along it to the rounding of
- * numbers that are not exact, and so are all that have a momentum of their own. */
+/* off[k]: components across axis k of the momenta of rotors, summed; 0 within the rounding of
+ * inexact axes; Inf: a rotor that is not driven is not along axis k. */
 static void off_axes(const rot_free_rotors *r, double given, double off[3]) {
   for (int i = 0; i < 3; i++) off[i] = 0.0;
   for (size_t k = 0; k < r->n; k++) {
@@ -47,7 +48,7 @@ static void off_axes(const rot_free_rotors *r, double given, double off[3]) {
   }
 }
 
-/* The axis k that all momenta of rotors are along, with equal moments across; 3: any of a ball. */
+/* Axis k along all momenta of rotors, with equal moments across it; 3: a ball, any axis. */
 static int axis_of(const rot_free_rotors *r, double given) {
   const double *m = r->p->moment_kg_m2;
   double off[3];
@@ -66,7 +67,7 @@ static double given_of(const rot_free_params *p) {
   return p->turned ? fmax(p->given, 4.0 * ROT_EPS) : p->given;
 }
 
-/* A body of any moments, which are exact, with rotors along a principal axis. */
+/* Set-up with exact, unequal moments and rotors along a principal axis. */
 static rot_status begin_general(const rot_free_params *p, const rot_free_rotors *r, int scale,
                                 gyrostat *g) {
   double off[3], omega[3];
@@ -92,7 +93,7 @@ static rot_status begin_general(const rot_free_params *p, const rot_free_rotors 
   return rot_gyrostat_begin(moment, omega, h, &g->motion);
 }
 
-/* Of moments in parts of a power of two, and rates near 1 at most. */
+/* Set-up with equal moments; scaled: moments by a power of two, |rates| about 1 at most. */
 static void begin_scaled(gyrostat *g, int axis, const double m[3], const double w[3],
                          const double spin[], const double speed[]) {
   const rot_free_params *p = g->p;
@@ -134,6 +135,7 @@ static void begin_scaled(gyrostat *g, int axis, const double m[3], const double 
   }
 }
 
+/* parameters => scaled motion of the kind that applies. */
 static rot_status begin(const rot_free_params *p, gyrostat *g) {
   double w[3], m[3], spin[ROT_FREE_MAX_ROTORS], speed[ROT_FREE_MAX_ROTORS], max = 0.0;
   int scale;
@@ -183,7 +185,7 @@ const char *rot_free_not_gyrostat(const rot_free_params *p) {
   }
 }
 
-/* The angle and its half's cosine and sine. */
+/* (rate, t) => angle, cosine and sine of its half. */
 static double half_of(rot_dd rate, rot_dd t, double *c, double *s) {
   const double angle = rot_dd_less_double_turns(rot_dd_mul(rate, t)).hi;
   *c = cos(0.5 * angle);
@@ -191,7 +193,7 @@ static double half_of(rot_dd rate, rot_dd t, double *c, double *s) {
   return angle;
 }
 
-/* Errors of moments, or of the axes, move both rates, and omega_a in step with c t. */
+/* Angle error due to moments and axes: they change both rates, and omega_a in phase with c t. */
 static double by_given(const gyrostat *g, double t) {
   if (g->given == 0.0) return 0.0;
   const double rate = g->turn_size + g->spin_size, turned = rate * fabs(t);
@@ -199,6 +201,7 @@ static double by_given(const gyrostat *g, double t) {
   return 8.0 * g->given * turned * (1.0 + swing);
 }
 
+/* t => row i, unequal moments. */
 static rot_status write_general(const gyrostat *g, rot_dd t, size_t i) {
   double turn[4], own[4], rate[3], w[3], q[4], angle_error, omega_error;
   if (!(fabs(t.hi) * g->motion.size < 1e250)) return ROT_ERANGE;
@@ -217,6 +220,7 @@ static rot_status write_general(const gyrostat *g, rot_dd t, size_t i) {
   return rot_free_rotors_write(&g->rotors, w, q, g->rotors.start, i, g->out);
 }
 
+/* (motion, i) => row i, its errors. */
 static rot_status write_row(void *model, size_t i) {
   const gyrostat *g = model;
   const rot_dd t = rot_dd_ldexp(rot_dd_sum2(g->time_s[i], -g->p->start_s), g->exponent);

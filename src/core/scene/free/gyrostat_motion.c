@@ -15,7 +15,7 @@ static rot_dd square(rot_dd x) { return rot_dd_mul(x, x); }
 
 /* ---- the turning points ---------------------------------------------------------------------- */
 
-/* c + 2 b x + a x^2, which is c >= 0 at the start x = 0. */
+/* c + 2 b x + a x^2; c >= 0: its value at the start x = 0. */
 typedef struct polynomial {
   rot_dd a, b, c;
 } polynomial;
@@ -32,14 +32,14 @@ static void bound(rot_dd x, int at_zero_low, bounds *out) {
   if (!low && (!out->is_high || x.hi < out->high.hi)) out->is_high = 1, out->high = x;
 }
 
-/* Its zeros next to the start, on either side. */
+/* polynomial => its closest zeros on both sides of the start. */
 static bounds zeros_of(const polynomial *p) {
   bounds out = {0, 0, none, none};
   const rot_dd disc = rot_dd_sub(square(p->b), rot_dd_mul(p->a, p->c));
   if (disc.hi < 0.0) return out;
   const rot_dd root = rot_dd_sqrt(disc);
   const rot_dd q = p->b.hi >= 0.0 ? rot_dd_add(p->b, root) : rot_dd_sub(p->b, root);
-  /* a zero at the start is where the polynomial begins, or ends */
+  /* a zero at the start is the lower end if the polynomial increases, else the upper end */
   const int begins = p->b.hi > 0.0;
   if (q.hi != 0.0) bound(rot_dd_neg(rot_dd_div(p->c, q)), begins, &out);
   if (p->a.hi != 0.0) bound(rot_dd_neg(rot_dd_div(q, p->a)), begins, &out);
@@ -50,23 +50,25 @@ static rot_dd value_at(const polynomial *p, rot_dd x) {
   return rot_dd_add(p->c, rot_dd_mul(x, rot_dd_add(twice(p->b), rot_dd_mul(p->a, x))));
 }
 
-/* Its factor beside x - at: 2 b + a (x + at). */
+/* Cofactor of x - at, at a zero: 2 b + a (x + at). */
 static rot_dd factor_at(const polynomial *p, rot_dd at, rot_dd x) {
   return rot_dd_add(twice(p->b), rot_dd_mul(p->a, rot_dd_add(x, at)));
 }
 
 /* ---- set-up ---------------------------------------------------------------------------------- */
 
-/* What the rates of a motion follow from. */
+/* Data that determine the rates of a motion. */
 typedef struct given {
   rot_dd moment[3], omega[3], h;
 } given;
 
 typedef struct rates {
-  rot_dd lambda, psi, m1, k, start_sn, start_cn; /* m1 of 0 < m < 1; sn and cn of A at the start */
+  rot_dd lambda, psi;        /* rate of the argument, mean rate of psi */
+  rot_dd m1, k;              /* m1 = 1 - m of 0 < m < 1 */
+  rot_dd start_sn, start_cn; /* sn, cn of A at the start */
 } rates;
 
-/* ROT_OK, or ROT_ERANGE. */
+/* data => turning points, rates, constants of psi. ROT_OK or ROT_ERANGE. */
 static rot_status find_rates(const given *in, rot_gyrostat_motion *g, rates *out) {
   const rot_dd *m = in->moment, *w = in->omega;
   const rot_dd l1 = rot_dd_mul(m[0], w[0]), l2 = rot_dd_mul(m[1], w[1]);
@@ -75,7 +77,7 @@ static rot_status find_rates(const given *in, rot_gyrostat_motion *g, rates *out
   const rot_dd d = rot_dd_div(rot_dd_sub(m[0], m[1]), rot_dd_mul(m[0], m[1]));
   polynomial p[2];
   bounds ends[2];
-  /* L1^2 and L2^2 from the start: differences of moments are exact */
+  /* L1^2 and L2^2 relative to the start: differences of moments are exact */
   for (int k = 0; k < 2; k++) {
     const rot_dd other = m[1 - k];
     const rot_dd b = rot_dd_sub(rot_dd_div(z0, other), w[2]);
@@ -126,7 +128,7 @@ static rot_status find_rates(const given *in, rot_gyrostat_motion *g, rates *out
     lambda = rot_dd_mul(lambda, rot_dd_sqrt(m1));
     m1 = rot_dd_div(one, m1);
   }
-  /* psi' = N/D, both of degree 1 in x */
+  /* psi' = N/D, both linear in x */
   const rot_dd slope = rot_dd_div(in->h, m[2]), by = rot_dd_div(total, m[2]);
   const rot_dd lw =
       rot_dd_add(rot_dd_add(rot_dd_mul(l1, w[0]), rot_dd_mul(l2, w[1])), rot_dd_mul(z0, w[2]));
@@ -146,11 +148,11 @@ static rot_status find_rates(const given *in, rot_gyrostat_motion *g, rates *out
   const rot_dd a0 = rot_dd_div(rot_dd_add(n1, n2), sum), a1 = rot_dd_div(rot_dd_sub(n1, n2), sum);
   const rot_dd e = rot_dd_sub(a1, rot_dd_mul(a0, eta));
   const rot_dd left = rot_dd_div(rot_dd_ldexp(rot_dd_mul(d1, kd2), 2), square(sum)); /* 1 - eta^2 */
-  rot_dd p1 = rot_dd_div(one, left); /* 1 + nu, of nu = eta^2/(1 - eta^2) */
+  rot_dd p1 = rot_dd_div(one, left); /* 1 + nu, nu = eta^2/(1 - eta^2) */
   if (g->negative) p1 = rot_dd_mul(p1, m1);
   const rot_dd swing = rot_dd_div(rot_dd_mul(e, eta), left);
   const rot_dd mean = rot_jacobi_mean(m1, p1);
-  const rot_dd even = rot_dd_sub(one, rot_dd_mul(p1, mean)); /* of cn^2/(1 + nu sn^2) */
+  const rot_dd even = rot_dd_sub(one, rot_dd_mul(p1, mean)); /* mean of cn^2/(1 + nu sn^2) */
   out->psi = rot_dd_sub(a0, rot_dd_mul(swing, even));
   out->lambda = lambda;
   out->m1 = m1;
@@ -167,7 +169,7 @@ static rot_status find_rates(const given *in, rot_gyrostat_motion *g, rates *out
   g->root_m1 = sqrt(m1.hi);
   g->direction = away ? 1.0 : -1.0;
   g->d1 = d1.hi, g->d2 = d2.hi;
-  /* e/(1 - eta^2) times the integral of cn/(1 + nu sn^2), and the third kind */
+  /* e/(1 - eta^2) times the integral of cn/(1 + nu sn^2), plus the third kind */
   const rot_dd of_m = rot_dd_sub(one, m1);
   g->nu = g->negative ? rot_dd_sub(rot_dd_mul(rot_dd_div(square(eta), left), m1), of_m).hi
                       : rot_dd_div(square(eta), left).hi;
@@ -182,8 +184,10 @@ static rot_status find_rates(const given *in, rot_gyrostat_motion *g, rates *out
 /* ---- the motion ------------------------------------------------------------------------------ */
 
 typedef struct phase {
-  double turns, r, s, c, d;          /* of the argument less 2 K turns: its functions */
-  double sn, cn, dn, half_c, half_s; /* of A, with the turns; cosine and sine of A/2 */
+  double turns;          /* removed multiples of 2 K */
+  double r, s, c, d;     /* reduced argument; its sn, cn, dn */
+  double sn, cn, dn;     /* of the full argument */
+  double half_c, half_s; /* cosine and sine of A/2 */
 } phase;
 
 static void phase_at(const rot_gyrostat_motion *g, rot_dd u, phase *out) {
@@ -202,7 +206,7 @@ static void phase_at(const rot_gyrostat_motion *g, rot_dd u, phase *out) {
   out->cn = n % 2 ? -cn : cn;
 }
 
-/* L1, L2; x; |L| (1 + l.r). */
+/* phase => L1, L2; x; |L| (1 + l.r). */
 static void momenta(const rot_gyrostat_motion *g, const phase *at, double l[2], double *x,
                     double *away) {
   const double cc = at->half_c * at->half_c, ss = at->half_s * at->half_s * g->square;
@@ -219,7 +223,7 @@ static void momenta(const rot_gyrostat_motion *g, const phase *at, double l[2], 
   }
 }
 
-/* The parts of psi that repeat. */
+/* phase => periodic parts of psi. */
 static double repeats(const rot_gyrostat_motion *g, const phase *at, double *rounding) {
   const double slope = g->negative ? (at->sn < 0.0 ? -fabs(at->s) : fabs(at->s)) : at->sn / at->dn;
   const double root = sqrt(fabs(g->turn_root));
@@ -235,7 +239,7 @@ static double repeats(const rot_gyrostat_motion *g, const phase *at, double *rou
   return g->turn * turned + g->swing * (third - even);
 }
 
-/* The smallest turn from L to r. */
+/* Quaternion of the smallest rotation from L to r. */
 static void smallest(const rot_gyrostat_motion *g, const double l[2], double away, double q[4]) {
   q[0] = away;
   q[1] = g->direction * l[1];
@@ -254,7 +258,7 @@ static void begin_steady(const given *in, rot_gyrostat_motion *g) {
   }
 }
 
-/* L and omega are parallel. */
+/* 1 if L and omega are parallel, else 0. */
 static int is_steady(const given *in) {
   rot_dd l[3];
   for (int i = 0; i < 3; i++) l[i] = rot_dd_mul(in->moment[i], in->omega[i]);
@@ -267,8 +271,8 @@ static int is_steady(const given *in) {
   return 1;
 }
 
-/* How the rounding of the set-up, 2^-102 of each term, shows in its results: from a set-up with
- * numbers that differ by 2^-76. */
+/* Effect of the rounding of the set-up, 2^-102 of each term, on its results: set-ups with data
+ * changed by 2^-76. */
 static void judge_setup(const given *in, const rates *found, rot_gyrostat_motion *g) {
   static const int signs[4][7] = {{1, -1, 1, 1, -1, 1, -1},
                                   {-1, 1, 1, -1, 1, 1, 1},
@@ -296,6 +300,7 @@ static void judge_setup(const given *in, const rates *found, rot_gyrostat_motion
   }
 }
 
+/* Steady spin, or rates, signs, argument and attitude at the start. */
 rot_status rot_gyrostat_begin(const rot_dd moment[3], const double omega[3], rot_dd h,
                               rot_gyrostat_motion *out) {
   given in = {{moment[0], moment[1], moment[2]}, {none, none, none}, h};
@@ -321,7 +326,7 @@ rot_status rot_gyrostat_begin(const rot_dd moment[3], const double omega[3], rot
   out->lambda = r.lambda;
   out->psi = r.psi;
   rot_jacobi_begin(r.m1, &out->jacobi);
-  /* signs: x grows where the product of D, L1 and L2 is positive */
+  /* signs: x increases if the product of D, L1 and L2 is positive */
   const double l1 = moment[0].hi * omega[0], l2 = moment[1].hi * omega[1];
   const double direction =
       moment[0].hi > moment[1].hi || (moment[0].hi == moment[1].hi && moment[0].lo > moment[1].lo)
@@ -359,6 +364,7 @@ rot_status rot_gyrostat_begin(const rot_dd moment[3], const double omega[3], rot
   return ROT_OK;
 }
 
+/* Reduces the argument, evaluates L, psi and their errors. */
 void rot_gyrostat_at(const rot_gyrostat_motion *g, rot_dd t, double q[4], double omega[3],
                      double *q_error, double *omega_error) {
   for (int i = 0; i < 3; i++) omega[i] = g->omega0[i];
@@ -388,7 +394,7 @@ void rot_gyrostat_at(const rot_gyrostat_motion *g, rot_dd t, double q[4], double
   omega[2] = g->omega0[2] + x / g->moment[2];
   const double du = g->start_error + fabs(u.hi) * (8.0 * ROT_DD_EPS + g->lambda_error) +
                     (fabs(at.turns) + 1.0) * (g->m1_error + 16.0 * ROT_DD_EPS);
-  /* What a shift of the argument does: q beside its turn about L, and omega. */
+  /* Effect of an error of the argument on q (without the rotation about L) and on omega. */
   const double z = g->direction * (away - g->momentum), lz[3] = {l[0], l[1], z};
   double tilt = 0.0, slope = 0.0;
   for (int i = 0; i < 3; i++) {

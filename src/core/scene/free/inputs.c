@@ -22,7 +22,7 @@ const rot_input rot_free_inputs[ROT_FREE_INPUTS] = {
 
 /* ---- moments --------------------------------------------------------------------------------- */
 
-/* A diagonal tensor keeps its axes and its numbers. */
+/* A diagonal tensor keeps its axes and numbers. */
 rot_status rot_free_build_moments(const double inertia[6], const double second[6],
                                   rot_free_params *p) {
   rot_principal principal;
@@ -34,7 +34,7 @@ rot_status rot_free_build_moments(const double inertia[6], const double second[6
   }
   if (rot_inertia_principal(second, 1e-12, &principal) != ROT_OK) return ROT_ERANGE;
   double *s = principal.second;
-  if (s[2] < 0.0) { /* a turned rod: a rounding error below 0 */
+  if (s[2] < 0.0) { /* a rotated rod: negative by rounding */
     for (int i = 0; i < 3; i++) s[i] = fmax(s[i], 0.0);
     principal.moment[0] = s[1] + s[2];
     principal.moment[1] = s[0] + s[2];
@@ -66,7 +66,7 @@ static int acts(const rot_free_params *p) {
   return p->law || p->n_knots || p->torque[0] != 0.0 || p->torque[1] != 0.0 || p->torque[2] != 0.0;
 }
 
-/* An axis without moment of inertia: no spin about it, and no torque. */
+/* Checks axes without moment of inertia: no spin about them, no torque. */
 static int spins_freely(const rot_free_params *p) {
   double omega[3], q[4];
   rot_free_principal(p, omega, q);
@@ -76,6 +76,7 @@ static int spins_freely(const rot_free_params *p) {
   return 1;
 }
 
+/* moments => ROT_OK, or a refusal. */
 static rot_status check_moments(const rot_free_params *p, size_t rotors, rot_refusal *no) {
   int some = 0, all = 1;
   for (int i = 0; i < 3; i++) {
@@ -118,6 +119,7 @@ static rot_status call_motors(double t, const double omega[3], const double q[4]
   return status;
 }
 
+/* torque input: constant, table or law. */
 static rot_status read_torque(const rot_given *torque, size_t input, rot_free_built *built,
                               rot_refusal *no) {
   rot_free_params *p = &built->params;
@@ -144,6 +146,7 @@ static const rot_free_rotor_of *rotor_of(const rot_given *rotors, size_t k) {
   return rotors->is == ROT_INPUT_LIST ? rotors->item[k].object : rotors->object;
 }
 
+/* rotor inputs => rotors, motors, or a refusal. */
 static rot_status read_rotors(const rot_given *rotors, size_t input, rot_free_built *built,
                               rot_refusal *no) {
   rot_free_params *p = &built->params;
@@ -175,7 +178,7 @@ static void add(size_t n, const double x[], double to[], size_t *at) {
   *at += n;
 }
 
-/* Those given and the times of tables, with repetitions; NULL: their count alone. */
+/* Given breaks and times of tables, with repetitions. `to` NULL: their number only. */
 static size_t gather(const rot_given *breaks, const rot_given *rotors, const rot_free_params *p,
                      double to[]) {
   size_t at = 0;
@@ -202,6 +205,7 @@ static rot_status read_breaks(const rot_given *breaks, const rot_given *rotors, 
 
 /* ---- scenes ---------------------------------------------------------------------------------- */
 
+/* Rates, attitude, torque, resistance, rotors, breaks, start. */
 rot_status rot_free_build_rest(const rot_input inputs[], const rot_given given[], size_t omega0,
                                size_t common, rot_store *store, rot_free_built *built,
                                rot_refusal *no) {

@@ -1,4 +1,4 @@
-/* A free body from its inputs. Bodies with a fixed point share most of it. */
+/* Inputs of a free body; most of them also of bodies with a fixed point. */
 #ifndef ROT_FREE_INPUTS_H
 #define ROT_FREE_INPUTS_H
 
@@ -8,24 +8,26 @@
 enum { ROT_FREE_INPUTS = 9 };
 extern const rot_input rot_free_inputs[ROT_FREE_INPUTS];
 
-/* As built: what the models read first, as they read it. */
+/* A built scene. The models read its first member. */
 typedef struct rot_free_built {
   rot_free_params params;
-  double mass_kg, centre_m[3]; /* of a body with a fixed point; the centre of mass from there */
-  rot_law law;                 /* of the torque */
+  double mass_kg;     /* of a body with a fixed point */
+  double centre_m[3]; /* of mass, from the fixed point */
+  rot_law law;        /* of the torque */
   rot_free_rotor rotor[ROT_FREE_MAX_ROTORS];
-  rot_law motor[ROT_FREE_MAX_ROTORS]; /* call NULL: it has none */
+  rot_law motor[ROT_FREE_MAX_ROTORS]; /* call NULL: none */
 } rot_free_built;
 
-/* rot_constraint.build and .start_s */
+/* rot_constraint.build: inputs => rot_free_built, or a refusal. */
 rot_status rot_free_build(const rot_given given[], rot_store *store, void *built,
                           rot_refusal *refusal);
+/* rot_constraint.start_s */
 double rot_free_start(const void *scene);
 
 /* ---- shared with bodies that have a fixed point ---------------------------------------------- */
 
 extern const char *const rot_free_axes[];       /* of the torque */
-extern const char *const rot_free_resistance[]; /* its terms */
+extern const char *const rot_free_resistance[]; /* terms of the resistance */
 
 /* clang-format off */
 #define ROT_FREE_ANY -DBL_MAX, DBL_MAX, 0
@@ -47,7 +49,7 @@ extern const char *const rot_free_resistance[]; /* its terms */
    "where the torque may jump or kink", NULL},                                                     \
   {"start_s", "s", ROT_INPUT_NUMBER, 0, ROT_FREE_ANY, 0.0, "when the state above holds", NULL}
 /* clang-format on */
-/* Their places after the first of them. */
+/* Indices of the common inputs, from the first of them. */
 enum {
   ROT_FREE_ATTITUDE0,
   ROT_FREE_TORQUE,
@@ -58,20 +60,20 @@ enum {
   ROT_FREE_START
 };
 
-/* Initialisers of the numbers that follow. */
+/* Initialisers of the derived numbers. */
 #define ROT_FREE_DERIVED                                                                           \
   {"moment_of_inertia_kg_m2", offsetof(rot_free_built, params.moment_kg_m2), 3},                   \
       {"axes", offsetof(rot_free_built, params.axes), 4}, {                                        \
     "moment_error", offsetof(rot_free_built, params.given), 1                                      \
   }
 
-/* Principal moments of a tensor, and of the second moments that it is of, and their axes.
- * ROT_ERANGE: they are not finite. */
+/* (inertia tensor, second moments) => principal moments, axes. ROT_ERANGE: not finite. */
 rot_status rot_free_build_moments(const double inertia_kg_m2[6], const double second_kg_m2[6],
                                   rot_free_params *params);
-/* From what is given as three moments, with or without their axes; 0: it is neither. */
+/* input of three moments, with or without axes => moments, axes. Returns 0 if it is neither, else
+ * 1. */
 int rot_free_read_moments(const rot_given *given, rot_free_params *params);
-/* Of `inputs`, those from `common` on, and the rates at `omega0`. */
+/* inputs from `common` on and the rates at `omega0` => scene, or a refusal. */
 rot_status rot_free_build_rest(const rot_input inputs[], const rot_given given[], size_t omega0,
                                size_t common, rot_store *store, rot_free_built *built,
                                rot_refusal *refusal);

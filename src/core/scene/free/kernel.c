@@ -1,4 +1,4 @@
-/* The kernel for registers of four (ground/simd.h). */
+/* The kernel for registers of four lanes (ground/simd.h). */
 #include "ground/simd.h"
 
 #ifdef ROT_SIMD_CAN

@@ -1,10 +1,10 @@
-/* The kernel of scene/free/table.c: rot_free_begin() and rot_free_at() (scene/free/motion.c) for
- * bodies that tumble, one in each lane. Lanes never mix: a body's result does not depend on its
- * neighbours. Compiled for registers of two there and of four in scene/free/kernel.c.
+/* The batch kernel of scene/free/table.c: rot_free_begin() and rot_free_at() (scene/free/motion.c)
+ * for tumbling bodies, one per lane. Lanes are independent: the result of a body does not depend on
+ * the others. Compiled for registers of two lanes there, of four in scene/free/kernel.c.
  *
- * The motion of one body has operations of its own: numbers of any size, functions of the C
- * library, branches, divisions where the lanes multiply by an inverse. It takes 8 times as long
- * (2260 and 270 ns), this text for doubles (ROT_ALONE) 4 times. */
+ * The motion of a single body handles numbers of any magnitude, calls the C library, branches, and
+ * divides where the lanes multiply by an inverse: it takes 8 times as long (2260 and 270 ns); this
+ * text compiled for doubles (ROT_ALONE) takes 4 times as long. */
 #ifndef ROT_FREE_PASS_H
 #define ROT_FREE_PASS_H
 
@@ -13,13 +13,14 @@
 enum { ROT_FREE_BLOCK = 64 };
 
 typedef struct rot_free_block {
-  /* Principal moments and rates about the body's axes; the attitude at the start, of any length */
-  double moment[3][ROT_FREE_BLOCK], omega[3][ROT_FREE_BLOCK], q[4][ROT_FREE_BLOCK];
+  double moment[3][ROT_FREE_BLOCK]; /* principal */
+  double omega[3][ROT_FREE_BLOCK];  /* principal axes; in: at the start, out: at the time */
+  double q[4][ROT_FREE_BLOCK];      /* attitude; in: at the start, any length, out: at the time */
   double time[ROT_FREE_BLOCK];
-  /* out, and q and omega at the time. good is 0 where the kernel does not apply: steady spins, m1
-   * below 1e-30, more than 2^50 half periods, numbers whose squares come near under- or overflow,
-   * NaN. error: a bound on the angle of the attitude's error */
-  double error[ROT_FREE_BLOCK], good[ROT_FREE_BLOCK];
+  double error[ROT_FREE_BLOCK]; /* out: bound on the angle of the error of the attitude */
+  /* out: 0: the kernel does not apply (steady spin, m1 below 1e-30, more than 2^50 half periods,
+   * numbers whose squares nearly under- or overflow, NaN). */
+  double good[ROT_FREE_BLOCK];
 } rot_free_block;
 
 /* ---- functions ------------------------------------------------------------------------------- */
@@ -71,7 +72,7 @@ ROT_INLINE void rot_free_sine_cosine(rot_pair x, rot_pair *s, rot_pair *c) {
   *c = w + (((one - w) - half) + z * (z * by_c));
 }
 
-/* (c, s) turned by n quarters, n from -2 to 2. */
+/* (cosine, sine) rotated by n quarter turns, -2 <= n <= 2. */
 ROT_INLINE void rot_free_quarters(rot_pair n, rot_pair *c, rot_pair *s) {
   const rot_pair none = ROT_BOTH(0.0), half = ROT_BOTH(0.5), size = rot_pair_abs(n);
   const rot_pair over = rot_pair_if_more(size, ROT_BOTH(1.5), ROT_BOTH(-1.0), ROT_BOTH(1.0));
@@ -83,7 +84,7 @@ ROT_INLINE void rot_free_quarters(rot_pair n, rot_pair *c, rot_pair *s) {
   *s = rot_pair_if(odd, direction * c0, over * s0);
 }
 
-/* The remainder of n by 4, from -2 to 2. */
+/* Remainder of n modulo 4, -2 to 2. */
 ROT_INLINE rot_pair rot_free_fourth(rot_pair n) { return n - 4.0 * rot_free_rounded(n * 0.25); }
 
 /* sin(x), cos(x) for |x| < 1e5. */
@@ -142,7 +143,7 @@ ROT_INLINE int rot_free_third_left(rot_free_third *t) {
   return rot_pair_count_more(t->far, t->close);
 }
 
-/* delta/d^2 is at most 0.18, for the p of swing_at(). */
+/* One duplication. delta/d^2 <= 0.18 for the p of swing_at(). */
 ROT_INLINE void rot_free_third_double(rot_free_third *t) {
   const rot_pair quarter = ROT_BOTH(0.25), far = t->far, close = t->close;
   const rot_pair sx = rot_pair_sqrt(t->x), sy = rot_pair_sqrt(t->y), sz = rot_pair_sqrt(t->z);
@@ -187,8 +188,8 @@ typedef struct rot_free_means {
   rot_pair a[ROT_FREE_LEVELS], g[ROT_FREE_LEVELS];
 } rot_free_means;
 
-/* rot_jacobi_begin() and rot_jacobi_mean(); a lane that has converged keeps its a, and g = a leaves
- * the functions of the levels unchanged. */
+/* rot_jacobi_begin() and rot_jacobi_mean(). A converged lane keeps its a; g = a leaves the
+ * functions of later levels unchanged. */
 ROT_INLINE void rot_free_begin_means(rot_pair_dd m1, rot_pair_dd one_nu, rot_free_means *out) {
   const rot_pair none = ROT_BOTH(0.0), one = ROT_BOTH(1.0);
   rot_pair_dd a = rot_pair_dd_of(one), g = rot_pair_dd_sqrt(m1), square = one_nu, q = a, sum = a;
@@ -201,7 +202,7 @@ ROT_INLINE void rot_free_begin_means(rot_pair_dd m1, rot_pair_dd one_nu, rot_fre
     const rot_pair_dd less = rot_pair_dd_sub(square, ag);
     const rot_pair_dd more =
         rot_pair_dd_scale(rot_pair_dd_div(rot_pair_dd_mul(q, less), both), 0.5);
-    /* the last mean gives K to 2^-108, and the next term of the sum is below 2^-104 of it */
+    /* converged: last mean gives K to 2^-108, next term of the sum below 2^-104 of it */
     const rot_pair difference = rot_pair_abs(a.hi - g.hi) * 0x1p52;
     const rot_pair last = rot_pair_abs(more.hi) * 0x1p104;
     const rot_pair left =
@@ -216,7 +217,7 @@ ROT_INLINE void rot_free_begin_means(rot_pair_dd m1, rot_pair_dd one_nu, rot_fre
     out->a[n] = a.hi;
     out->g[n] = g.hi;
     if (rot_pair_count_more(live, none) == 0) break;
-    /* its root r is (square + a g)/(2 r) */
+    /* its root: (square + a g)/(2 old root) */
     square = rot_pair_dd_div(rot_pair_dd_scale(rot_pair_dd_mul(both, both), 0.25), square);
   }
   const rot_pair_dd half_pi = {ROT_BOTH(0x1.921fb54442d18p+0), ROT_BOTH(0x1.1a62633145c07p-54)};
@@ -226,12 +227,12 @@ ROT_INLINE void rot_free_begin_means(rot_pair_dd m1, rot_pair_dd one_nu, rot_fre
   out->mean = rot_pair_dd_scale(rot_pair_dd_div(sum, one_nu), 0.5);
 }
 
-/* rot_jacobi_at(), |u| <= K but for rounding. */
+/* rot_jacobi_at() for |u| <= K up to rounding. */
 ROT_INLINE void rot_free_jacobi(const rot_free_means *j, rot_pair m, rot_pair_dd u, rot_pair *sn,
                                 rot_pair *cn, rot_pair *dn) {
   const rot_pair none = ROT_BOTH(0.0), one = ROT_BOTH(1.0);
   const rot_pair_dd x = rot_pair_dd_abs(u), beyond = rot_pair_dd_sub(j->k, x);
-  const rot_pair far = x.hi - beyond.hi; /* > 0: nearer to K */
+  const rot_pair far = x.hi - beyond.hi; /* > 0: closer to K */
   const rot_pair_dd w = rot_pair_dd_if(far, rot_pair_dd_abs(beyond), x);
   const rot_pair a = j->a[j->n], phase = a * rot_pair_max(w.hi, ROT_BOTH(1e-100));
   rot_pair s, c, d = one;
@@ -260,7 +261,7 @@ typedef struct rot_free_swing {
   rot_pair near, by, m1, nu, one_nu, root, mean, near_mean;
 } rot_free_swing;
 
-/* Of swing_of_psi(): the integral of the third kind to each of two arguments, side by side. */
+/* swing_of_psi(): integrals of the third kind for two arguments at once. */
 ROT_INLINE void rot_free_thirds(const rot_free_swing *f, const rot_pair sn[2], const rot_pair cn[2],
                                 const rot_pair dn[2], rot_pair third[2]) {
   const rot_pair one = ROT_BOTH(1.0), scale = one / f->one_nu;
@@ -299,14 +300,17 @@ ROT_INLINE rot_pair rot_free_swing_at(const rot_free_swing *f, rot_pair u, rot_p
   return swing;
 }
 
-/* How the axes of cn and dn, and the reference axis, lie: numbers > 0 for yes. */
+/* Positions of the axes of cn (o) and dn (c) and of the reference axis r; numbers > 0: yes. */
 typedef struct rot_free_frame {
-  rot_pair high, by_o, is_x; /* c is the third axis; r is o; the lead is x: r is the third axis */
-  rot_pair momentum, quarter_c, quarter_s;
+  rot_pair high;                 /* c is the third axis */
+  rot_pair by_o;                 /* r is o */
+  rot_pair is_x;                 /* the lead is x: r is the third axis */
+  rot_pair momentum;             /* |L| */
+  rot_pair quarter_c, quarter_s; /* cosine, sine of half the angle about r at the start */
 } rot_free_frame;
 
-/* The rotation about z by psi after that of L to z, by half angles: its quaternion in the axes
- * (x, y, z). The motion of one body takes it, too. */
+/* Quaternion, in axes (x, y, z), of the rotation about z by psi after that of L to z, by half
+ * angles. Also used for a single body. */
 ROT_INLINE void rot_free_to_z(rot_pair cos_psi, rot_pair sin_psi, rot_pair ct, rot_pair st,
                               rot_pair cc, rot_pair sc, rot_pair q[4]) {
   q[0] = ct * (cos_psi * cc - sin_psi * sc);
@@ -315,7 +319,7 @@ ROT_INLINE void rot_free_to_z(rot_pair cos_psi, rot_pair sin_psi, rot_pair ct, r
   q[3] = ct * (sin_psi * cc + cos_psi * sc);
 }
 
-/* angles_of(), with psi: the quaternion in the axes (x, y, r). */
+/* angles_of() with psi: quaternion in axes (x, y, r). */
 ROT_INLINE void rot_free_turn(const rot_free_frame *f, rot_pair side, rot_pair l_r, rot_pair l_1,
                               rot_pair l_lead, rot_pair quarters, rot_pair cos_psi,
                               rot_pair sin_psi, rot_pair q[4]) {
@@ -332,10 +336,13 @@ ROT_INLINE void rot_free_turn(const rot_free_frame *f, rot_pair side, rot_pair l
   rot_free_to_z(cos_psi, sin_psi, ct, st, cc, sc, q);
 }
 
-/* Numbers of a body in each lane. */
+/* Numbers of one body per lane. */
 typedef struct rot_free_lanes {
-  rot_pair moment[3], omega[3], axis[3]; /* sorted axis k is the axis axis[k] of the body */
-  rot_pair sense, unit, time, good;      /* of the middle axis; of rates */
+  rot_pair moment[3], omega[3]; /* sorted */
+  rot_pair axis[3];             /* sorted axis k is body axis axis[k] */
+  rot_pair sense;               /* sign of the middle axis */
+  rot_pair unit;                /* of the rates */
+  rot_pair time, good;
 } rot_free_lanes;
 
 /* One step of sort_axes(). */
@@ -362,8 +369,8 @@ ROT_INLINE rot_pair rot_free_within(rot_pair x, double low, double high, rot_pai
   return rot_pair_if_more(x, ROT_BOTH(low), rot_pair_if_more(ROT_BOTH(high), x, good, none), none);
 }
 
-/* Moments ascending, the largest below 1, the largest rate below 1 in size, and the time in the
- * unit that this needs. Lanes with numbers too far apart get those of another body. */
+/* block => lanes: moments ascending, the largest < 1; largest |rate| < 1; time in the corresponding
+ * unit. Lanes with numbers too different in magnitude compute another body. */
 ROT_INLINE void rot_free_take(const rot_free_block *x, size_t i, rot_free_lanes *out) {
   static const double moment[3] = {0.5, 0.625, 0.75};
   const rot_pair none = ROT_BOTH(0.0), one = ROT_BOTH(1.0), half = ROT_BOTH(0.5);
@@ -404,7 +411,7 @@ ROT_INLINE void rot_free_take(const rot_free_block *x, size_t i, rot_free_lanes 
   out->good = good;
 }
 
-/* The components along the body's axes of a vector along the sorted ones, times `by`. */
+/* Vector in sorted axes => in body axes, times `by`. */
 ROT_INLINE void rot_free_unsort(const rot_free_lanes *x, const rot_pair v[3], rot_pair by,
                                 rot_pair out[3]) {
   const rot_pair middle = v[1] * x->sense, half = ROT_BOTH(0.5);
@@ -415,7 +422,7 @@ ROT_INLINE void rot_free_unsort(const rot_free_lanes *x, const rot_pair v[3], ro
   }
 }
 
-/* p* q, and p q. */
+/* back: p* q; else p q. */
 ROT_INLINE void rot_free_after(const rot_pair p[4], const rot_pair q[4], int back,
                                rot_pair out[4]) {
   const rot_pair side = back ? ROT_BOTH(-1.0) : ROT_BOTH(1.0);
@@ -454,7 +461,7 @@ ROT_INLINE void rot_free_pass_one(rot_free_block *x, size_t i) {
   rot_pair_dd big_c = rot_pair_dd_plus(rot_pair_dd_mul(d31, ec), rot_pair_dd_mul(dom, e1));
   const rot_pair_dd dcmy = rot_pair_dd_mul(dcm, big_c), above = rot_pair_dd_mul(d31, distance);
   const rot_pair_dd under = rot_pair_dd_mul(dom, big_o);
-  /* Lanes where it does not apply get those of another body. */
+  /* Lanes to which the kernel does not apply compute another body. */
   rot_pair good = rot_pair_if_more(above.hi, 1e-30 * dcmy.hi, lanes.good, none);
   good = rot_pair_if(big_o.hi, good, none);
   const rot_pair_dd other = {one, none};
@@ -485,7 +492,7 @@ ROT_INLINE void rot_free_pass_one(rot_free_block *x, size_t i) {
   rot_free_means j;
   rot_free_begin_means(m1, one_nu, &j);
   good = rot_pair_if(j.left, none, good);
-  /* psi' = L (I2 - away mean)/(I_lead I2), lambda^2 = dcm y/(I1 I2 I3) */
+  /* psi' = L (I2 - away mean)/(I_lead I2); lambda^2 = dcm y/(I1 I2 I3) */
   const rot_pair_dd inverse =
       rot_pair_dd_div(other, rot_pair_dd_mul1(rot_pair_dd_mul2(lead, i1), ref));
   const rot_pair_dd lambda =
@@ -523,7 +530,7 @@ ROT_INLINE void rot_free_pass_one(rot_free_block *x, size_t i) {
   sn0 *= size0;
   cn0 *= size0;
   const rot_pair dn0 = wc / amplitude_c, s0 = rot_pair_abs(sn0), k1 = j.g[0];
-  /* rot_jacobi_argument(): from K where u > K/2, by sn(K - u) = cn/dn, cn(K - u) = k' sn/dn */
+  /* rot_jacobi_argument(): from K if u > K/2, by sn(K - u) = cn/dn, cn(K - u) = k' sn/dn */
   const rot_pair far = rot_pair_if_more(s0 * s0 * (one + k1), one, one, none);
   rot_pair sw = cn0 / dn0, cw = k1 * (s0 / dn0), dw = k1 / dn0;
   const rot_pair size_w = one / rot_pair_sqrt(sw * sw + cw * cw);
@@ -542,7 +549,7 @@ ROT_INLINE void rot_free_pass_one(rot_free_block *x, size_t i) {
   good = rot_pair_if_more(ROT_BOTH(0x1p50), rot_pair_abs(turns), good, none);
   turns = rot_pair_if(good, turns, none);
   rot_pair_dd r = rot_pair_dd_sub(u, rot_pair_dd_mul1(period, turns));
-  /* Again: the first quotient is rounded and may leave more than K. */
+  /* A second time: the first quotient is rounded, |r| may exceed K. */
   const rot_pair more =
       rot_pair_if_more(rot_pair_abs(r.hi), j.k.hi, rot_free_rounded(r.hi / period.hi), none);
   r = rot_pair_dd_sub(r, rot_pair_dd_mul1(period, more));
@@ -581,7 +588,7 @@ ROT_INLINE void rot_free_pass_one(rot_free_block *x, size_t i) {
                 quarters, cos_psi, sin_psi, q);
   rot_pair turned[4], at[4], end[4];
   rot_free_after(first, q, 1, turned);
-  /* (x, y, r) is (1, 2, 3) where r is the third axis, (2, 3, 1) where it is the first */
+  /* (x, y, r) = (1, 2, 3) if r is the third axis, (2, 3, 1) if it is the first */
   const rot_pair sorted[3] = {rot_pair_if(f.is_x, turned[1], turned[3]),
                               rot_pair_if(f.is_x, turned[2], turned[1]),
                               rot_pair_if(f.is_x, turned[3], turned[2])};
@@ -615,7 +622,7 @@ ROT_INLINE void rot_free_pass_one(rot_free_block *x, size_t i) {
   const rot_pair error = 24.0 * ROT_EPS + by_psi + per_u * du;
   const rot_pair pi = ROT_BOTH(0x1.921fb54442d18p+1);
   rot_store(x->error + i, rot_pair_if_more(pi, error, error, pi));
-  /* neither more than all nor NaN */
+  /* error neither too large nor NaN */
   rot_store(x->good + i, rot_pair_if_more(ROT_BOTH(1e300), error, good, none));
 }
 
@@ -623,7 +630,7 @@ ROT_INLINE void rot_free_pass(rot_free_block *x) {
   for (size_t i = 0; i < ROT_FREE_BLOCK; i += ROT_PAIR) rot_free_pass_one(x, i);
 }
 
-/* The same for registers of four: where rot_wide_fma_ok(). */
+/* The same for registers of four lanes; requires rot_simd_fma_ok(). */
 void rot_free_pass_simd(rot_free_block *x);
 
 #endif

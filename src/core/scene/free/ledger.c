@@ -33,7 +33,7 @@ void rot_free_exact_flows(const rot_free_params *p, const rot_task *task, const 
   }
 }
 
-/* The torque on a driven rotor is J a omega', its power that times its speed. */
+/* Torque on a driven rotor: J a omega'; power: torque times its speed. */
 void rot_free_gyrostat_flows(const rot_free_params *p, const rot_task *task, const rot_rows *rows,
                              const rot_info *info) {
   double driven[3] = {0.0}, size = 0.0;
@@ -62,7 +62,7 @@ static double dot(const double a[3], const double b[3]) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* L of the body with its rotors locked, own axes. */
+/* L of the body with locked rotors, own axes. */
 static void momentum_of(const rot_free_params *p, const double omega[3], double l[3]) {
   double own[3] = {omega[0], omega[1], omega[2]};
   if (p->turned) rot_attitude_to_body(p->axes, omega, own);
@@ -71,7 +71,7 @@ static void momentum_of(const rot_free_params *p, const double omega[3], double 
   if (p->turned) rot_attitude_to_space(p->axes, own, l);
 }
 
-/* With what rotors add. */
+/* L with the contribution of the rotors. */
 static void momentum_at(const rot_free_params *p, const double row[], double l[3]) {
   momentum_of(p, row + RATES, l);
   for (size_t k = 0; k < p->n_rotors; k++) {
@@ -80,7 +80,7 @@ static void momentum_at(const rot_free_params *p, const double row[], double l[3
   }
 }
 
-/* Without the cancellation of two energies. */
+/* Change of the energy without cancellation. */
 static double change_of_energy(const rot_free_params *p, const double a[], const double b[]) {
   double before[3], after[3], change = 0.0;
   momentum_of(p, a + RATES, before);
@@ -99,7 +99,7 @@ static double change_of_energy(const rot_free_params *p, const double a[], const
   return change;
 }
 
-/* A quaternion that is not of unit length shows in the turned vectors. */
+/* A quaternion norm other than 1 appears in the rotated vectors. */
 void rot_free_audit(const void *scene, const rot_span *s, double term[]) {
   const rot_free_params *p = scene;
   double l[3], before[3], after[3], norm = 0.0;
@@ -122,9 +122,10 @@ void rot_free_audit(const void *scene, const rot_span *s, double term[]) {
   term[13] = norm;
 }
 
-/* Errors of the three measures, of L better than of what it is made of. Steps are chosen for the
- * worst measure, mostly the attitude. The error of omega far below does not fall as their order
- * says: the distance of two runs shows it to a thousandth of that, not better. */
+/* Residuals from the errors of the measures; the error of L is used for L itself. Fixed steps are
+ * chosen for the worst measure, mostly the attitude: an error of omega far below that does not
+ * decrease at the order of the method. The difference of two runs resolves it to 1/1000 of the
+ * attitude error, not better. */
 void rot_free_explain(const void *scene, const rot_span *s, const double term[],
                       double explained[]) {
   const rot_free_params *p = scene;
@@ -161,7 +162,7 @@ void rot_free_explain(const void *scene, const rot_span *s, const double term[],
   explained[4] = 8.0 * eps;
 }
 
-/* ---- what stays ------------------------------------------------------------------------------ */
+/* ---- conserved quantities -------------------------------------------------------------------- */
 
 int rot_free_acts_along(const rot_free_params *p, int k) {
   int acts = p->law != NULL;
@@ -181,7 +182,7 @@ int rot_free_motors_work(const rot_free_params *p) {
   return works;
 }
 
-/* A torque in space axes leaves the components of L alone that it has none along. */
+/* A torque in space axes conserves the components of L across it. */
 size_t rot_free_conserved(const void *scene, size_t balance, const char *why[]) {
   const rot_free_params *p = scene;
   const int along = balance && p->in_space ? (int)balance - 1 : -1;
@@ -194,7 +195,7 @@ size_t rot_free_conserved(const void *scene, size_t balance, const char *why[]) 
   return 0;
 }
 
-/* Rotors turn the body beyond the rates of one without. */
+/* Rotors add rates to those of a body without rotors. */
 void rot_free_time_scales(const void *scene, const double sizes[], rot_time_scales *time_scales) {
   const rot_free_params *p = scene;
   const double *m = p->moment_kg_m2;

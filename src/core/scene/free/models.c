@@ -57,14 +57,14 @@ const char *rot_free_refuses_split(const void *scene, const rot_query *query) {
   return why ? why : rot_free_not_split(scene);
 }
 
-/* seconds: of a run, of a row. */
+/* model->seconds: per run, per row. */
 double rot_free_exact_s(const rot_model *model, const void *scene, const rot_query *query) {
   (void)scene;
   return model->seconds[0] + (double)query->n * model->seconds[1];
 }
 
-/* Steps follow the angle that it turns; damping that fades within the span is worth some more.
- * seconds: steps a rad at accuracy 1, the power of the accuracy, of a step, of a row. */
+/* The number of steps is proportional to the angle turned; damping within the span adds some.
+ * model->seconds: steps per rad at accuracy 1, power of the accuracy, per step, per row. */
 double rot_free_integrated_s(const rot_model *model, const void *of, const rot_query *query) {
   const rot_free_params *p = of;
   const double *s = model->seconds, rows = (double)query->n;
@@ -81,12 +81,12 @@ double rot_free_integrated_s(const rot_model *model, const void *of, const rot_q
   return 10e-6 + steps * (s[2] + 20.0 * calls) + rows * s[3];
 }
 
-/* Three runs' worth of steps. seconds: of a step. */
+/* Steps of the run and of one with half the step: three times. model->seconds: per step. */
 double rot_free_steps_s(const rot_model *model, const void *of, const rot_query *query) {
   const rot_free_params *p = of;
   const double from = query->n ? fmin(p->start_s, query->time_s[0]) : p->start_s;
   const double to = query->n ? fmax(p->start_s, query->time_s[query->n - 1]) : p->start_s;
-  const rot_method method = /* the splitting has half as many steps */
+  const rot_method method = /* half as many steps for the splitting */
       strstr(model->id, "split") ? ROT_METHOD_SPLIT : ROT_METHOD_RK4;
   const double steps = 3.0 * ((to - from) / rot_free_default_step(p, method, to - from));
   const double calls = p->law || p->motors ? 4.0 * query->law_s : 0.0;

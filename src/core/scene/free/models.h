@@ -8,24 +8,27 @@
 /* Its scene is a rot_free_params. */
 extern const rot_constraint rot_free_constraint;
 
-/* Whether the motor of a rotor has a torque. */
+/* parameters => 1 if the motor of a rotor has a torque. */
 int rot_free_has_motors(const rot_free_params *p);
 
-/* Predicted times of a run in closed form and of an integrated one: see scene/free/models.c for the
- * numbers that they take from the model. */
+/* Predicted times; the constants in the model: scene/free/models.c. A run in closed form. */
 double rot_free_exact_s(const rot_model *model, const void *scene, const rot_query *query);
+/* An integrated run. */
 double rot_free_integrated_s(const rot_model *model, const void *scene, const rot_query *query);
-/* And by steps of fixed length. */
+/* A run by fixed steps. */
 double rot_free_steps_s(const rot_model *model, const void *scene, const rot_query *query);
 
-/* Why the closed form, or the integrators, do not take it: NULL where they do. */
+/* (scene, query) => why the model does not apply, or NULL: closed form of a free body. */
 const char *rot_free_refuses_exact(const void *scene, const rot_query *query);
+/* The same: closed form of a gyrostat. */
 const char *rot_free_refuses_gyrostat(const void *scene, const rot_query *query);
+/* The same: integrators. */
 const char *rot_free_refuses_ode(const void *scene, const rot_query *query);
+/* The same: splitting. */
 const char *rot_free_refuses_split(const void *scene, const rot_query *query);
 
-/* The integrators, and the steps of fixed length, of a free body and of one with a fixed point.
- * effects: the mask of those they take; conservative: of those that the splitting takes. */
+/* Integrators and fixed-step methods of a free body and of one with a fixed point. effects: mask of
+ * the effects that they take; conservative: of those that the splitting takes. */
 #define ROT_FREE_STEPPED(id, takes, kind, error, offered, why, refuses, time_s, ...)               \
   {                                                                                                \
     id, takes, kind, error, offered, why, refuses, time_s, { __VA_ARGS__ }                         \

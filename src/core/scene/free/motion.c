@@ -10,11 +10,11 @@
 
 static const rot_dd none = {0.0, 0.0};
 static const double pi = 0x1.921fb54442d18p+1;
-static const double tiny = 1e-140; /* of the rate: squares stay normal */
+static const double tiny = 1e-140; /* relative to the rate: squares do not underflow */
 
 /* ---- set-up ---------------------------------------------------------------------------------- */
 
-/* Moments ascending. An odd permutation turns the middle axis over, to stay right-handed. */
+/* Sorts the moments, ascending. An odd permutation reverses the middle axis: right-handed axes. */
 static void sort_axes(const double moment[3], rot_free_motion *out) {
   int *k = out->order, odd = 0;
   for (int i = 0; i < 3; i++) {
@@ -41,7 +41,7 @@ static rot_dd square(rot_dd x) { return rot_dd_mul(x, x); }
 
 static rot_dd difference(double a, double b) { return rot_dd_sum2(a, -b); }
 
-/* a (a - b) w^2, a >= b; *exact is cleared where anything was rounded. */
+/* a (a - b) w^2, a >= b; *exact = 0 if a product was rounded. */
 static rot_dd term(double a, rot_dd by, double w, int *exact) {
   const rot_dd first = rot_dd_mul1(by, a), second = rot_dd_mul2(w, w);
   const rot_dd out = rot_dd_mul(first, second);
@@ -57,7 +57,7 @@ static void begin_steady(const double w[3], rot_free_motion *out) {
   for (int i = 0; i < 3; i++) out->axis[i] = w[i] / out->psi.hi;
 }
 
-/* Cosine and sine of half the angle whose cosine is >= 0. */
+/* (cosine >= 0, sine) of an angle => those of its half. */
 static void half(double cosine, double sine, double *c, double *s) {
   *c = sqrt(0.5 * (1.0 + cosine));
   *s = sine / (2.0 * *c);
@@ -72,9 +72,9 @@ static void turn_by_quarters(int quarters, double *c, double *s) {
   *s = c0 * y + *s * x;
 }
 
-/* Half of the angle chi about the reference axis z and half of the angle theta from L to it, for L
- * with (l_x, l_y) = rho (sin chi, cos chi). chi is an offset and an angle between -pi/2 and pi/2,
- * so that it is continuous: the offset is that of the component that keeps its sign. */
+/* Half of the angle chi about the reference axis z and of the angle theta from L to z, for L with
+ * (l_x, l_y) = rho (sin chi, cos chi). chi is an offset plus an angle in [-pi/2, pi/2]: continuous,
+ * with the offset of the component that keeps its sign. */
 static void angles_of(const rot_free_motion *m, const double l[3], double *cos_theta,
                       double *sin_theta, double *cos_chi, double *sin_chi) {
   const int x = (m->r + 1) % 3, y = (m->r + 2) % 3, lead = m->lead;
@@ -84,19 +84,20 @@ static void angles_of(const rot_free_motion *m, const double l[3], double *cos_t
   half(fabs(l[lead]) / rho, (lead == x ? -side : side) * l[other] / rho, cos_chi, sin_chi);
 }
 
-/* Constants of a motion that is not steady. Next to the middle axis the other two rates are scaled
- * before they are squared. */
+/* Constants of a motion that is not steady. Close to the middle axis the other two rates are scaled
+ * before squaring. */
 typedef struct constants {
-  double near[3]; /* sorted rates, the first and the third times 2^halvings */
-  int halvings, far;
-  rot_dd root; /* far: of m1, scaled for rot_jacobi_begin_far() */
-  double root_halvings;
+  double near[3];              /* sorted rates, the first and the third times 2^halvings */
+  int halvings;                /* >= 0 */
+  int far;                     /* 1: m1 < 2^-112 */
+  rot_dd root;                 /* far: root of m1, scaled for rot_jacobi_begin_far() */
+  double root_halvings;        /* far: binary exponent of that scale */
   rot_dd momentum, p, r;       /* L, 2 T I3 - L^2, L^2 - 2 T I1 */
   rot_dd largest_o, largest_c; /* squares of the largest I omega along o and c */
   rot_dd m, m1;
 } constants;
 
-/* rot_jacobi_mean(m1, p). Far from m1 = 1 it is (1 - arc/K)/p, and the arc that of any small m1. */
+/* rot_jacobi_mean(m1, p). For tiny m1 it is (1 - arc/K)/p, with the arc of any small m1. */
 static rot_dd mean_of(const constants *k, rot_dd p, rot_free_motion *out) {
   const rot_dd one = {1.0, 0.0};
   rot_jacobi near;
@@ -109,9 +110,9 @@ static rot_dd mean_of(const constants *k, rot_dd p, rot_free_motion *out) {
   return rot_dd_div(rot_dd_sub(one, slope), p);
 }
 
-/* psi' = L/I_lead - g sn^2/(1 + nu sn^2), of the axes that are not the reference axis. That is the
- * axis of the smaller largest component of L, so that L is at least 45 degrees from it, and
- * nu <= 1. Written with L/I of the reference axis, two large terms would cancel in a thin rod. */
+/* psi' = L/I_lead - g sn^2/(1 + nu sn^2). Reference axis: o or c, the one along which L has the
+ * smaller maximum: L is at least 45 degrees from it, nu <= 1. In terms of L/I of the reference
+ * axis, two large terms would cancel for a thin rod. */
 static void begin_psi(const constants *k, rot_dd away, rot_free_motion *out) {
   const rot_dd one = {1.0, 0.0};
   const int by_o = k->largest_o.hi <= k->largest_c.hi;
@@ -131,16 +132,16 @@ static void begin_psi(const constants *k, rot_dd away, rot_free_motion *out) {
   out->g = g.hi;
   out->mean = mean.hi;
   out->near = k->m1.hi < 0.1;
-  if (out->near && k->m1.hi > 0.0 && !k->far) { /* the mean of sn^2/(1 - sn^2 (m + nu)/(1 + nu)) */
+  if (out->near && k->m1.hi > 0.0 && !k->far) { /* mean of sn^2/(1 - sn^2 (m + nu)/(1 + nu)) */
     const rot_dd small = rot_dd_div(k->m1, one_nu);
     const rot_dd part = rot_dd_sub(rot_dd_sub(one, rot_dd_mul(m_nu, mean)), small);
     out->near_mean = rot_dd_div(part, rot_dd_mul(small, rot_dd_div(m_nu, one_nu))).hi;
   }
 }
 
-/* The part of psi that repeats: -g times the integral of sn^2/(1 + nu sn^2) less its mean, at
- * |u| <= K. Near the separatrix K is large and both would cancel: there the integral is an arc
- * tangent and another of the third kind, with the factor m1. *rounding: an error of some eps. */
+/* Periodic part of psi at |u| <= K: -g times (integral of sn^2/(1 + nu sn^2) minus its mean). Close
+ * to the separatrix K is large and both would cancel: there the integral is an arc tangent plus
+ * another of the third kind, with the factor m1. *rounding: error in units of ROT_EPS. */
 static double swing_of_psi(const rot_free_motion *m, double u, double sn, double cn, double dn,
                            double *rounding) {
   const double by = m->g / m->lambda.hi, nu = m->nu;
@@ -167,6 +168,7 @@ static double swing_of_psi(const rot_free_motion *m, double u, double sn, double
 
 static double root_of(rot_dd x) { return rot_dd_sqrt(x).hi; }
 
+/* Amplitudes, argument and angles at the start. */
 static void begin_tumbling(const double w[3], const constants *k, rot_dd dcm,
                            rot_free_motion *out) {
   const double *moment = out->moment;
@@ -185,7 +187,7 @@ static void begin_tumbling(const double w[3], const constants *k, rot_dd dcm,
   const int by_o = k->largest_o.hi <= k->largest_c.hi, lead = by_o ? c : o;
   begin_psi(k, lead == 0 ? difference(moment[1], moment[0]) : difference(moment[1], moment[2]),
             out);
-  if (k->far) { /* from K: cn = k' sinh(K - u), all scaled */
+  if (k->far) { /* relative to K: cn = k' sinh(K - u), scaled */
     const double size =
         ldexp(k->near[o] / out->amplitude[o] / k->root.hi, (int)k->root_halvings - k->halvings);
     const double before = asinh(size);
@@ -197,7 +199,7 @@ static void begin_tumbling(const double w[3], const constants *k, rot_dd dcm,
         rot_jacobi_argument(&out->jacobi, w[1] / out->amplitude[1], w[o] / out->amplitude[o],
                             w[c] / out->amplitude[c], &out->start_error);
   }
-  /* the turns of chi: with o in the lead it goes round */
+  /* turns of chi: if o leads, chi increases or decreases by pi for each 2 K */
   const int is_x = lead == (out->r + 1) % 3;
   out->quarter =
       is_x ? (out->amplitude[lead] < 0.0 ? -1 : 1) : (out->amplitude[lead] < 0.0 ? 2 : 0);
@@ -212,14 +214,14 @@ static void begin_tumbling(const double w[3], const constants *k, rot_dd dcm,
   out->swing0 = swing_of_psi(out, out->start.hi, sn, cn, dn, &out->swing0_rounding);
 }
 
-/* m1 is this, times 4^-halvings. 0: too small to be known. */
+/* (m1 times 4^halvings) => modulus. Returns 0 if m1 is too small, else 1. */
 static int begin_modulus(rot_dd m1, constants *k) {
   int e = 0;
   if (m1.hi != 0.0) (void)frexp(m1.hi, &e);
   k->far = m1.hi > 0.0 && e - 2 * k->halvings < -112;
   if (k->far) {
     if (m1.hi < 1e-240) return 0;
-    const int half = 56 + (e >= 0 ? e / 2 : -((1 - e) / 2)); /* the root is near 2^-56 */
+    const int half = 56 + (e >= 0 ? e / 2 : -((1 - e) / 2)); /* then the root is near 2^-56 */
     k->root = rot_dd_sqrt(rot_dd_ldexp(m1, -2 * half));
     k->root_halvings = k->halvings - half;
   }
@@ -228,7 +230,7 @@ static int begin_modulus(rot_dd m1, constants *k) {
   return 1;
 }
 
-/* Of moments near 1 and rates near 1. */
+/* Set-up with moments and rates near 1. */
 static rot_status begin_sorted(const double w[3], constants *k, rot_free_motion *out) {
   const double *moment = out->moment;
   const rot_dd d21 = difference(moment[1], moment[0]), d32 = difference(moment[2], moment[1]);
@@ -273,6 +275,7 @@ static rot_status begin_sorted(const double w[3], constants *k, rot_free_motion 
   return ROT_OK;
 }
 
+/* Scales and sorts; treats rest, rods and steady spins. */
 rot_status rot_free_begin(const double moment_kg_m2[3], const double omega_rad_per_s[3],
                           double given, rot_free_motion *out) {
   int scale;
@@ -298,7 +301,7 @@ rot_status rot_free_begin(const double moment_kg_m2[3], const double omega_rad_p
     out->still = 1;
     return ROT_OK;
   }
-  if (out->moment[0] == 0.0) { /* a rod: it turns steadily about an axis across it */
+  if (out->moment[0] == 0.0) { /* a rod: steady rotation about an axis across it */
     const double gap = out->moment[2] - out->moment[1];
     if (w[0] != 0.0 || gap > 1e-12 * out->moment[2]) return ROT_EVALUE;
     begin_steady(w, out);
@@ -312,7 +315,7 @@ rot_status rot_free_begin(const double moment_kg_m2[3], const double omega_rad_p
   if (max > 0.0) {
     int e;
     (void)frexp(max, &e);
-    if (out->exponent - e > 64) { /* exact, also where w is too small for a double */
+    if (out->exponent - e > 64) { /* exact, also if w underflows */
       k.halvings = out->exponent - e;
       k.near[0] = ldexp(a, -e);
       k.near[2] = ldexp(b, -e);
@@ -328,7 +331,7 @@ double rot_free_half_period(const rot_free_motion *m) {
 
 /* ---- the motion ------------------------------------------------------------------------------ */
 
-/* Sorted axes to those of the body, rates to rad/s. */
+/* Sorted axes => body axes; rates => rad/s. */
 static void leave_sorted(const rot_free_motion *m, const double w[3], const double v[3],
                          rot_free_state *out) {
   for (int i = 0; i < 3; i++) {
@@ -337,7 +340,7 @@ static void leave_sorted(const rot_free_motion *m, const double w[3], const doub
   }
 }
 
-/* Of psi, in rad. */
+/* Error of psi in rad. */
 static double angle_error(const rot_free_motion *m, rot_dd t, double psi) {
   return 8.0 * ROT_DD_EPS * fabs(psi) + m->given * 8.0 * fabs(t.hi) * m->rate;
 }
@@ -356,7 +359,7 @@ static void steady_at(const rot_free_motion *m, rot_dd t, rot_free_state *out) {
   out->omega_error = 0.0;
 }
 
-/* What an error of u, and of the functions, does to attitude and rates. */
+/* Error bounds of the state, from errors of u and of the functions. */
 static void judge(const rot_free_motion *m, rot_dd t, rot_dd u, double turns, const double w[3],
                   double sn, double rounding, rot_free_state *out) {
   const double *moment = m->moment, m1 = m->jacobi.m1;
@@ -391,6 +394,7 @@ static void judge(const rot_free_motion *m, rot_dd t, rot_dd u, double turns, co
                                m->exponent);
 }
 
+/* Reduces the argument, evaluates L and psi. */
 static void tumbling_at(const rot_free_motion *m, rot_dd t, rot_free_state *out) {
   const rot_dd u = rot_dd_add(rot_dd_mul(m->lambda, t), m->start), turned = rot_dd_mul(m->psi, t);
   double sn, cn, dn, w[3], l[3], ct, st, cc, sc, q[4], v[3];
@@ -401,7 +405,7 @@ static void tumbling_at(const rot_free_motion *m, rot_dd t, rot_free_state *out)
   w[m->c] = m->amplitude[m->c] * dn;
   w[1] = m->amplitude[1] * sn;
   const double whole = fmod(turns, 4.0), flips = fmod(whole, 2.0) != 0.0 ? -1.0 : 1.0;
-  /* With o in the lead, turning by pi for each 2 K includes the change of sign. */
+  /* If o leads, the turn by pi for each 2 K includes the change of sign. */
   const double shown = m->r == m->o ? flips : 1.0;
   l[m->o] = shown * m->moment[m->o] * w[m->o];
   l[1] = shown * m->moment[1] * w[1];
@@ -427,7 +431,7 @@ void rot_free_at(const rot_free_motion *m, rot_dd t, rot_free_state *out) {
       (rot_free_state){{1.0, 0.0, 0.0, 0.0}, {m->omega0[0], m->omega0[1], m->omega0[2]}, 0.0, 0.0};
   if (m->still || t.hi == 0.0) return;
   const rot_dd scaled = rot_dd_ldexp(t, m->exponent);
-  if (!(fabs(scaled.hi) < 1e250)) { /* no digit of the angle is known */
+  if (!(fabs(scaled.hi) < 1e250)) { /* all digits of the angle are lost */
     out->q_error = pi;
     out->omega_error = m->steady ? 0.0 : ldexp(2.0 * m->rate, m->exponent);
   } else if (m->steady) {

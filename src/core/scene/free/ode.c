@@ -10,18 +10,21 @@
 #include "engine/ode/ode.h"
 #include "ground/real.h"
 
-/* The state: q since the start, in the principal axes there; L in principal axes; momenta of the
- * rotors that have one of their own. Then what the torques did, without rotors all but the last. */
+/* State: q since the start, in the principal axes at the start; L in principal axes; momenta of the
+ * rotors that are not driven. Then the flows, without rotors all but the last. */
 enum { MOMENTUM = 4, ROTORS = 7, MAX = ROTORS + ROT_FREE_MAX_ROTORS + ROT_FREE_FLOWS };
 
 typedef struct motion {
   const rot_free_params *p;
   rot_free_rotors rotors;
-  size_t state, flows, dim, groups; /* components and groups of the state, flows, all */
-  double q0[4];                     /* of the principal axes at the start */
-  double omega0[3];
-  int middle;
-  rot_events seen; /* of all runs, those that count */
+  size_t state;     /* number of components of the state */
+  size_t flows;     /* number of flows */
+  size_t dim;       /* state + flows */
+  size_t groups;    /* number of groups of the state */
+  double q0[4];     /* attitude of the principal axes at the start */
+  double omega0[3]; /* principal axes */
+  int middle;       /* axis of the middle moment */
+  rot_events seen;  /* valid events of all runs */
 } motion;
 
 /* One run at an accuracy. */
@@ -47,6 +50,7 @@ static void omega_of(const motion *m, const double y[], double omega[3]) {
   rot_free_rotors_omega(&m->rotors, y + MOMENTUM, y + ROTORS, omega);
 }
 
+/* (t, state) => rates of state and flows. */
 static rot_status rhs(double t, const double y[], double f[], void *ctx) {
   const motion *m = ctx;
   const double *l = y + MOMENTUM, damping = m->p->damping_per_s;
@@ -89,7 +93,7 @@ static int middle_of(const double m[3]) {
   return -1;
 }
 
-/* How fast the centre of mass rises, times the weight. */
+/* Rate of the height of the centre of mass, times the weight: rate of the potential energy. */
 static double rise(double t, const double y[], void *ctx) {
   static const double up[3] = {0.0, 0.0, 1.0};
   const motion *m = ctx;
@@ -103,7 +107,7 @@ static double rise(double t, const double y[], void *ctx) {
          z[2] * (w[0] * g[1] - w[1] * g[0]);
 }
 
-/* Logs whether the centre of mass is highest or lowest, by its rise a little later. */
+/* Logs a highest or lowest point of the centre of mass, by its rate a little later. */
 static void note_turn(double t, const double y[], motion *m, rot_events *events) {
   double f[MAX], later[MAX];
   if (rhs(t, y, f, m) != ROT_OK) return;
@@ -114,7 +118,7 @@ static void note_turn(double t, const double y[], motion *m, rot_events *events)
   if (up != 0.0) (void)rot_events_add(events, t, up > 0.0 ? ROT_EVENT_LOWEST : ROT_EVENT_HIGHEST);
 }
 
-/* A component of L passes zero in any tumbling; a flip is one of a body that turns over. */
+/* A component of L changes its sign in any tumbling; only in a body that flips it is an event. */
 static rot_ode_then at_zero(double t, double y[], int *mode, int forward, void *ctx) {
   motion *m = ctx;
   (void)mode, (void)forward;
@@ -129,7 +133,7 @@ static rot_ode_then at_zero(double t, double y[], int *mode, int forward, void *
 }
 
 typedef struct entry {
-  double time_s; /* first: compare() takes a time for an entry */
+  double time_s; /* first member: compare() casts a time to an entry */
   rot_event event;
 } entry;
 
@@ -138,7 +142,7 @@ static int compare(const void *x, const void *y) {
   return (a > b) - (a < b);
 }
 
-/* Of a log, the events that count, by the names that at_zero() gave them. */
+/* Reduces a log to the valid events, with the names set by at_zero(). */
 static rot_status keep_seen(motion *m, rot_events *log) {
   const size_t n = m->seen.count;
   entry *list = malloc((n ? n : 1) * sizeof *list);
@@ -157,6 +161,7 @@ static rot_status keep_seen(motion *m, rot_events *log) {
   return list ? ROT_OK : ROT_ENOMEM;
 }
 
+/* states => columns, flows. */
 static rot_status fill_rows(const motion *m, size_t n, const double y[],
                             const rot_free_columns *out, double *const flow[], rot_info *info) {
   const size_t reached = info->rows_done;
@@ -181,8 +186,8 @@ static rot_status fill_rows(const motion *m, size_t n, const double y[],
   return ROT_OK;
 }
 
-/* Errors of the groups as those of the measures; L in space has that of the attitude, too. The
- * momenta of rotors count as angular momentum. */
+/* Errors of the groups => errors of the measures. L in space also has the error of the attitude.
+ * Momenta of rotors count as angular momentum. */
 static void measure_errors(const motion *m, run *r) {
   const double min = m->rotors.min;
   const double own = m->groups > 2 ? sqrt((double)m->rotors.n_states) * r->error[2] : 0.0;
@@ -197,7 +202,7 @@ static double omega_size(const motion *m, const double y[]) {
   return hypot(hypot(w[0], w[1]), w[2]);
 }
 
-/* The largest momentum: of all, or of the rotors where these cancel that of the body. */
+/* Largest momentum: the total, or that of the rotors if it cancels that of the body. */
 static double momentum_size(const motion *m, const run *r) {
   return fmax(r->largest[1], fmax(m->rotors.size, m->groups > 2 ? r->largest[2] : 0.0));
 }
@@ -217,6 +222,7 @@ static void note_errors(const motion *m, const run *r, rot_info *info) {
   }
 }
 
+/* (options, accuracy, times) => one run, its error estimates. */
 static rot_status run_at(motion *m, const rot_free_ode_options *options, double accuracy, size_t n,
                          const double time_s[], const rot_hooks *hooks, run *out) {
   const rot_ode_group groups[] = {{0, 4, ROT_ODE_QUATERNION},
@@ -226,7 +232,7 @@ static rot_status run_at(motion *m, const rot_free_ode_options *options, double 
   double start[MAX] = {1.0};
   for (int k = 0; k < 3; k++) start[MOMENTUM + k] = m->rotors.momentum0[k];
   for (size_t k = 0; k < m->rotors.n_states; k++) start[ROTORS + k] = m->rotors.start[k];
-  /* A motion that begins in the noise of its torque has no digits to be looked for. */
+  /* Noise level: a motion that starts within the noise of its torque has no digits to resolve. */
   const double late =
       n ? fmax(fabs(time_s[0] - p->start_s), fabs(time_s[n - 1] - p->start_s)) : 0.0;
   const double off = 2.0 * p->law_noise_n_m;
@@ -248,7 +254,7 @@ static rot_status run_at(motion *m, const rot_free_ode_options *options, double 
       .start_s = p->start_s,
       .start_breaks = p->law != NULL || p->motors != NULL,
       .start = start,
-      /* L in space errs by both: that of L in the body, and that of the attitude. */
+      /* The error of L in space is the sum of that of L in the body and that of the attitude. */
       .accuracy = 0.5 * accuracy,
       .max_steps = options->max_steps,
       .method = options->method,
@@ -275,7 +281,7 @@ static double rates_difference(const motion *m, const double x[], const double z
   return hypot(hypot(a[0] - b[0], a[1] - b[1]), a[2] - b[2]);
 }
 
-/* How far the rows of two runs are apart: in the measures, and in what the torques did. */
+/* Differences between the rows of two runs: in the measures and the flows. */
 static void differences(const motion *m, const run *a, const run *b, double measure[3],
                         double flow[ROT_FREE_FLOWS]) {
   memset(measure, 0, 3 * sizeof *measure);
@@ -302,9 +308,9 @@ static void differences(const motion *m, const run *a, const run *b, double meas
   }
 }
 
-/* The errors of a run by its distance from a finer one, which errs by some of that itself. The bar
- * of a run alone is a margin on the safe side. Two runs of a torque function may err alike where
- * it has kinks. */
+/* Errors of a run: its difference from a finer run, plus the error of that. The estimate of a
+ * single run is a safe upper limit. With a torque function, two runs may have the same error at its
+ * kinks. */
 static void judge(const motion *m, run *a, const run *finer) {
   const double rounding = 2.0 * ROT_EPS * sqrt(1.0 + (double)a->info.steps);
   const double max = m->p->law || m->p->motors ? 0.9 : 0.5, min = m->rotors.min;
@@ -334,9 +340,9 @@ static void swap(run *a, run *b) {
   *b = one;
 }
 
-/* A run and a finer one, which takes its place while it errs too much. A hundredth of the accuracy
- * is worth 1.7 times the steps; where breaks and rows force more steps than the accuracy does, the
- * finer run needs less yet, or the two are the same. */
+/* A run and a finer one, which replaces it while the error is too large. 1/100 of the accuracy
+ * needs 1.7 times the steps. If breaks and rows determine the steps, the finer run needs fewer
+ * additional steps, or both runs are equal. */
 static rot_status run_twice(motion *m, const rot_free_ode_options *options, size_t n,
                             const double time_s[], const rot_hooks *hooks, run *result,
                             run *finer) {
@@ -348,7 +354,7 @@ static rot_status run_twice(motion *m, const rot_free_ode_options *options, size
     const rot_status second = run_at(m, options, accuracy, n, time_s, hooks, finer);
     calls += finer->info.rhs_calls;
     if (second == ROT_EUNWIND || second == ROT_ENOMEM) status = second;
-    if (second != ROT_OK) break; /* too many steps: the first one's own bar stays */
+    if (second != ROT_OK) break; /* too many steps: keep the estimate of the first run */
     if ((double)finer->info.steps < 1.25 * (double)result->info.steps) continue;
     judge(m, result, finer);
     if (figure_of(m, result) <= options->accuracy) break;
@@ -359,7 +365,8 @@ static rot_status run_twice(motion *m, const rot_free_ode_options *options, size
   return status;
 }
 
-/* The events of a run. A body that is released at a turn has one there, as in closed form. */
+/* Events of a run. A body released at a turning point has an event at the start, as in closed
+ * form. */
 static rot_status give_events(motion *m, const rot_events *log, rot_events *events) {
   double y[MAX] = {1.0};
   rot_events start = {0};
@@ -384,6 +391,7 @@ static rot_status give_events(motion *m, const rot_events *log, rot_events *even
   return status;
 }
 
+/* Two runs, rows, flows, events, errors. */
 rot_status rot_free_integrate(const rot_free_params *p, const rot_free_ode_options *options,
                               size_t n, const double time_s[], const rot_free_columns *out,
                               double *const flow[ROT_FREE_FLOWS], double flow_error[ROT_FREE_FLOWS],

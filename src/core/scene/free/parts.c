@@ -29,6 +29,7 @@ static const rot_input table_inputs[] = {
     TORQUES("y_n_m", "likewise"),
     TORQUES("z_n_m", "likewise")};
 
+/* inputs => rot_free_table_of, or a refusal. */
 static rot_status build_table(const rot_part *part, const rot_given given[], rot_store *store,
                               void *to, rot_refusal *no) {
   rot_free_table_of *table = to;
@@ -65,6 +66,7 @@ static const rot_input rotor_inputs[] = {
     [BREAKS] = {"breaks_s", "s", ROT_INPUT_TIMES, 0, ROT_NO_DOMAIN, NAN,
                 "where the torque may jump or kink", NULL}};
 
+/* inputs => rot_free_rotor_of, or a refusal. */
 static rot_status build_rotor(const rot_part *part, const rot_given given[], rot_store *store,
                               void *to, rot_refusal *no) {
   rot_free_rotor_of *of = to;
@@ -106,7 +108,7 @@ static rot_status build_moments(const rot_part *part, const rot_given given[], r
   return ROT_OK;
 }
 
-/* A table has no constructor in R: it has the name of the input that takes it. */
+/* A table has no constructor in R: its name is that of its input. */
 #define COUNT(list) (sizeof(list) / sizeof *(list))
 const rot_part rot_free_parts[] = {{"rotor", ROT_INPUT_ROTOR, COUNT(rotor_inputs), rotor_inputs,
                                     sizeof(rot_free_rotor_of), build_rotor},

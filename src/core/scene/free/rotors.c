@@ -11,7 +11,7 @@ static double dot(const double a[3], const double b[3]) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* The inverse of a symmetric positive definite matrix: 0 where it is not. */
+/* Inverse of a symmetric positive definite matrix. Returns 0 if it is not, else 1. */
 static int invert(double m[3][3], double out[3][3]) {
   for (int i = 0; i < 3; i++) {
     const int a = (i + 1) % 3, b = (i + 2) % 3;
@@ -28,7 +28,8 @@ static int invert(double m[3][3], double out[3][3]) {
   return fits;
 }
 
-/* In parts of a power of two, so that no product overflows. */
+/* Inverse of I - sum J a a*, scaled by a power of two: no product overflows. Returns 0 if
+ * singular. */
 static int invert_tensor(const rot_free_params *p, rot_free_rotors *out) {
   double m[3][3] = {{0.0}}, norm = 0.0;
   int scale;
@@ -42,7 +43,7 @@ static int invert_tensor(const rot_free_params *p, rot_free_rotors *out) {
     }
   }
   if (!invert(m, out->inverse)) return 0;
-  for (int i = 0; i < 3; i++) { /* the norm by rows is no less than 1 over the least moment */
+  for (int i = 0; i < 3; i++) { /* row norm >= 1 / min moment */
     double *row = out->inverse[i];
     norm = fmax(norm, fabs(row[0]) + fabs(row[1]) + fabs(row[2]));
     for (int j = 0; j < 3; j++) row[j] = ldexp(row[j], -scale);
@@ -51,6 +52,7 @@ static int invert_tensor(const rot_free_params *p, rot_free_rotors *out) {
   return 1;
 }
 
+/* Axes, states, inverse tensor, momenta at the start. */
 const char *rot_free_rotors_begin(const rot_free_params *p, rot_free_rotors *out) {
   double q[4];
   memset(out, 0, sizeof *out);
@@ -93,6 +95,7 @@ void rot_free_rotors_omega(const rot_free_rotors *r, const double l[3], const do
   for (int i = 0; i < 3; i++) omega[i] = dot(r->inverse[i], own);
 }
 
+/* Only for axes along principal axes, within rounding. */
 int rot_free_rotors_constant(const rot_free_rotors *r, double m[3], double h[3]) {
   int fits = 1;
   for (int i = 0; i < 3; i++) {
@@ -127,6 +130,7 @@ static double knots_at(const rot_free_rotor *rotor, double t) {
   return part < 1.0 ? y[i] + (y[i + 1] - y[i]) * part : y[i + 1];
 }
 
+/* Constant, table and law of each motor. */
 rot_status rot_free_rotors_torque(const rot_free_rotors *r, double t, const double omega[3],
                                   const double q[4], double torque[]) {
   const rot_free_params *p = r->p;
@@ -165,7 +169,7 @@ rot_status rot_free_rotors_slopes(const rot_free_rotors *r, double t, const doub
   return ROT_OK;
 }
 
-/* The torque on a driven rotor is J a omega', its power that times W. */
+/* Torque on a driven rotor: J a omega'; power: torque times W. */
 double rot_free_rotors_driven_work(const rot_free_rotors *r, const double omega[3]) {
   double work = 0.0;
   for (int i = 0; i < 3; i++) work += r->driven[i] * (omega[i] - r->omega0[i]);
@@ -183,6 +187,7 @@ void rot_free_rotors_note(const rot_free_rotors *r, const double omega[3], doubl
   momentum->error = fmax(momentum->error, max * omega_error + size * (angle_error + 8.0 * ROT_EPS));
 }
 
+/* Momentum, energy and columns of rotors. */
 rot_status rot_free_rotors_write(const rot_free_rotors *r, const double omega[3], const double q[4],
                                  const double s[], size_t i, const rot_free_columns *out) {
   const rot_free_params *p = r->p;

@@ -52,7 +52,7 @@ rot_status rot_free_run_gyrostat(ROT_FREE_RUN_ARGUMENTS) {
   return status;
 }
 
-/* The flows of a run by steps: the caller's, or room for them. */
+/* Flows of an integrated run: columns of the caller, or memory allocated here. */
 typedef struct flows {
   double *flow[ROT_FREE_FLOWS], error[ROT_FREE_FLOWS], *memory;
 } flows;
@@ -90,6 +90,7 @@ rot_status rot_free_run_integrated(ROT_FREE_RUN_ARGUMENTS) {
                                         f.flow, f.error, rows->events, hooks, info));
 }
 
+/* Default step if none is given. */
 rot_status rot_free_run_steps(ROT_FREE_RUN_ARGUMENTS) {
   const rot_free_params *p = scene;
   const double *t = task->time_s;

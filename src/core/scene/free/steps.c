@@ -12,9 +12,8 @@
 
 #define PI 3.14159265358979323846
 
-/* The state: q of the principal axes, L in these, what the torques did since the start (without
- * gravity's work, which the height tells), and the momenta of the rotors that have one of their
- * own. */
+/* State: q of the principal axes, L in them, flows since the start (without the work of gravity,
+ * which follows from the height), momenta of the rotors that are not driven. */
 enum { MOMENTUM = 4, STATE = 7, ROTORS = STATE + ROT_FREE_FLOWS };
 enum { MAX = ROTORS + ROT_FREE_MAX_ROTORS };
 enum { WORK = STATE, HEAT, TORQUE_IMPULSE, DAMPING_IMPULSE = TORQUE_IMPULSE + 3 };
@@ -23,13 +22,15 @@ enum { MOTOR_WORK = STATE + ROT_FREE_MOTOR_WORK };
 typedef struct stepper {
   const rot_free_params *p;
   rot_free_rotors rotors;
-  size_t dim;
+  size_t dim; /* number of components */
   rot_method method;
   int a, b, c;             /* axes of the splitting */
-  double per_a, gap[2];    /* 1/Ia, 1/Ib - 1/Ia, 1/Ic - 1/Ia */
+  double per_a;            /* 1/Ia */
+  double gap[2];           /* 1/Ib - 1/Ia, 1/Ic - 1/Ia */
   double against[3];       /* h/I of the rotors */
-  double earliest, latest; /* at which torques are evaluated: within the breaks */
-  double potential, l0[3]; /* at the start: of gravity; L in space */
+  double earliest, latest; /* limits of the times at which torques are evaluated: the breaks */
+  double potential;        /* of gravity at the start */
+  double l0[3];            /* L in space at the start */
   size_t steps, calls;
 } stepper;
 
@@ -39,7 +40,7 @@ static void omega_of(const stepper *s, const double y[], double omega[3]) {
   rot_free_rotors_omega(&s->rotors, y + MOMENTUM, y + ROTORS, omega);
 }
 
-/* The torque with gravity's, and without; both in body axes. */
+/* (t, omega, q) => torque with and without gravity, in body axes. */
 static rot_status torques(stepper *s, double t, const double omega[3], const double q[4],
                           double all[3], double own[3]) {
   const double at = fmin(fmax(t, s->earliest), s->latest);
@@ -50,13 +51,14 @@ static rot_status torques(stepper *s, double t, const double omega[3], const dou
   return status;
 }
 
-/* Of the rotors' momenta, and the power of their motors. */
+/* Rates of the momenta of the rotors, power of their motors. */
 static rot_status motors(stepper *s, double t, const double omega[3], const double q[4],
                          const double y[], double f[]) {
   const double at = fmin(fmax(t, s->earliest), s->latest);
   return rot_free_rotors_slopes(&s->rotors, at, omega, q, y + ROTORS, f + ROTORS, &f[MOTOR_WORK]);
 }
 
+/* (t, state) => rates of the state. */
 static rot_status slopes(stepper *s, double t, const double y[], double f[]) {
   const double *l = y + MOMENTUM, damping = s->p->damping_per_s;
   double w[3], all[3], own[3], unit[4] = {y[0], y[1], y[2], y[3]};
@@ -104,7 +106,7 @@ static rot_status rk4(stepper *s, double t, double h, double y[]) {
   return ROT_OK;
 }
 
-/* q after a turn by a vector in the body's axes. */
+/* q after a rotation by a vector in body axes. */
 static void turn_by(const double v[3], double q[4]) {
   const double angle = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]);
   const double part = angle > 1e-150 ? sin(0.5 * angle) / angle : 0.5;
@@ -112,6 +114,7 @@ static void turn_by(const double v[3], double q[4]) {
   rot_attitude_times(q, turn, q);
 }
 
+/* One step: L in space, then q with the new rate. */
 static rot_status semi_implicit(stepper *s, double t, double h, double y[]) {
   const double damping = s->p->damping_per_s;
   double w[3], all[3], own[3], l[3], torque[3], turn[3];
@@ -120,7 +123,7 @@ static rot_status semi_implicit(stepper *s, double t, double h, double y[]) {
   if (status != ROT_OK) return status;
   rot_attitude_to_space(y, all, torque);
   for (int k = 0; k < 3; k++) {
-    /* from the start, so that no rounding of turns gathers in it */
+    /* from the start: the rounding of rotations does not accumulate */
     l[k] = s->l0[k] + y[TORQUE_IMPULSE + k] + y[DAMPING_IMPULSE + k];
     y[TORQUE_IMPULSE + k] += h * torque[k];
     y[DAMPING_IMPULSE + k] -= h * damping * l[k];
@@ -146,7 +149,7 @@ static rot_status semi_implicit(stepper *s, double t, double h, double y[]) {
   return ROT_OK;
 }
 
-/* Gravity alone for a time: the body does not move. */
+/* Flow of gravity for a time h: the body does not move. */
 static void kick(stepper *s, double h, double y[]) {
   double torque[3] = {0.0, 0.0, 0.0}, space[3];
   if (!rot_free_has_weight(s->p)) return;
@@ -157,8 +160,7 @@ static void kick(stepper *s, double h, double y[]) {
   for (int k = 0; k < 3; k++) y[TORQUE_IMPULSE + k] += h * space[k];
 }
 
-/* The flow of gap L_axis^2/2 for a time: a turn about one axis of the body, in which L in space
- * stays. */
+/* Flow of gap L_axis^2/2 for a time h: rotation about one body axis; L in space is conserved. */
 static void turn_about(int axis, double gap, double h, double y[]) {
   double *l = y + MOMENTUM;
   const int i = (axis + 1) % 3, j = (axis + 2) % 3;
@@ -171,7 +173,7 @@ static void turn_about(int axis, double gap, double h, double y[]) {
   l[j] = c * lj - d * li;
 }
 
-/* The flow of -c.L for a time: a turn of the body by -c, in which L in space stays. */
+/* Flow of -c.L for a time h: rotation of the body by -c; L in space is conserved. */
 static void turn_against(const stepper *s, double h, double y[]) {
   double turn[3], back[4] = {1.0, 0.0, 0.0, 0.0};
   for (int k = 0; k < 3; k++) turn[k] = -h * s->against[k];
@@ -180,7 +182,7 @@ static void turn_against(const stepper *s, double h, double y[]) {
   rot_attitude_to_body(back, y + MOMENTUM, y + MOMENTUM);
 }
 
-/* Second order, and its own reverse. */
+/* Symmetric composition of second order of the rotations. */
 static void free_flow(const stepper *s, double h, double y[]) {
   const double *l = y + MOMENTUM;
   double turn[3];
@@ -195,7 +197,7 @@ static void free_flow(const stepper *s, double h, double y[]) {
   turn_about(s->b, s->gap[0], 0.5 * h, y);
 }
 
-/* Kahan and Li's s9odr6a. */
+/* One step, composition s9odr6a of Kahan and Li. */
 static rot_status split(stepper *s, double t, double h, double y[]) {
   static const double part[9] = {
       0.39216144400731413928,  0.33259913678935943860, -0.70624617255763935981,
@@ -237,13 +239,14 @@ int rot_free_step_order(rot_method method) {
 
 typedef struct run {
   stepper s;
-  double start[MAX], step_s;
+  double start[MAX];
+  double step_s; /* > 0 */
   size_t n, max_steps, rows_done;
   const double *time_s;
-  double *y; /* n rows of s.dim */
+  double *y; /* n rows of s.dim components */
   const rot_hooks *hooks;
   double largest_omega, largest_momentum, failed_s;
-  double from, to; /* of the progress: in parts of the whole */
+  double from, to; /* progress of this run, as fractions of the total */
 } run;
 
 static double potential_of(const rot_free_params *p, const double q[4]) {
@@ -269,7 +272,7 @@ static int finite_state(const run *r, const double y[]) {
   return isfinite(sum);
 }
 
-/* A row from the end of a step. */
+/* state at the end of a step => row i at time t, by a shorter step. */
 static rot_status write_at(run *r, double t, const double y[], size_t i) {
   double *row = r->y + i * r->s.dim;
   rot_status status = ROT_OK;
@@ -281,7 +284,7 @@ static rot_status write_at(run *r, double t, const double y[], size_t i) {
   return status;
 }
 
-/* Rows from `first` on, up to `end` (not included), outward from the start. */
+/* Rows from `first` up to `end` (excluded), outward from the start. */
 static rot_status go(run *r, int forward, size_t first, size_t end) {
   const rot_free_params *p = r->s.p;
   const double sign = forward ? 1.0 : -1.0;
@@ -289,7 +292,7 @@ static rot_status go(run *r, int forward, size_t first, size_t end) {
   size_t row = first;
   memcpy(y, r->start, sizeof y);
   while (row != end) {
-    /* a segment: up to the next break, or without end */
+    /* a segment: up to the next break, or unlimited */
     double until = sign * INFINITY;
     for (size_t i = 0; i < p->n_breaks; i++) {
       const double at = p->breaks_s[i];
@@ -348,7 +351,7 @@ static rot_status stepping(run *r) {
   return go(r, 1, before, r->n);
 }
 
-/* The axes of the splitting: a in the middle, b beside it. */
+/* Axes of the splitting: a the middle one, b the one with 1/I closer to it. */
 static void choose_axes(stepper *s) {
   const rot_free_rotors *r = &s->rotors;
   double m[3], h[3];
@@ -373,6 +376,7 @@ static void choose_axes(stepper *s) {
   s->gap[1] = low_first ? above : below;
 }
 
+/* (parameters, method, span) => step from the rates at the start. */
 double rot_free_default_step(const rot_free_params *p, rot_method method, double span_s) {
   const double *m = p->moment_kg_m2;
   double min = fmin(m[0], fmin(m[1], m[2]));
@@ -398,7 +402,7 @@ double rot_free_default_step(const rot_free_params *p, rot_method method, double
   return span_s > 0.0 ? 1e-3 * span_s : 1.0;
 }
 
-/* The errors of the rows of `r` by those of half its step. */
+/* Errors of the rows of `r`, from a run with half its step. */
 static void note_errors(const run *r, const run *half, double flow_error[], rot_info *info) {
   const rot_free_rotors *rotors = &r->s.rotors;
   const double *m = r->s.p->moment_kg_m2;
@@ -444,6 +448,7 @@ static void note_errors(const run *r, const run *half, double flow_error[], rot_
   rot_note_value(&info->measure[ROT_FREE_MOMENTUM], r->largest_momentum);
 }
 
+/* Two runs, rows, flows, errors. */
 rot_status rot_free_step_through(const rot_free_params *p, const rot_free_step_options *options,
                                  size_t n, const double time_s[], const rot_free_columns *out,
                                  double *const flow[ROT_FREE_FLOWS],

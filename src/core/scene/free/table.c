@@ -16,7 +16,7 @@ typedef struct frame {
   int simd;
 } frame;
 
-/* A row of any numbers. */
+/* Row i by rot_free_begin() and rot_free_at(), for any numbers. */
 static void any_row(const rot_free_table_rows *in, size_t i, const rot_free_table_columns *out) {
   double moment[3], omega[3], q0[4], q[4] = {NAN, NAN, NAN, NAN};
   rot_free_motion motion;
@@ -43,12 +43,13 @@ static void any_row(const rot_free_table_rows *in, size_t i, const rot_free_tabl
   out->error[i] = at.q_error + 8.0 * ROT_EPS;
 }
 
-/* The other lanes get NaN, for which the kernel computes another body. */
+/* Unused lanes get NaN: the kernel computes another body for them. */
 static void load(rot_column column, size_t first, size_t n, double to[BLOCK]) {
   for (size_t l = 0; l < n; l++) to[l] = rot_at(column, first + l);
   for (size_t l = n; l < BLOCK; l++) to[l] = NAN;
 }
 
+/* n rows by the kernel; any_row() if it does not apply. */
 static void block_rows(const frame *f, size_t first, size_t n) {
   const rot_free_table_rows *in = f->rows;
   const rot_free_table_columns *out = f->out;

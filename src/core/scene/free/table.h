@@ -1,4 +1,4 @@
-/* Many free bodies, a row each: where they are at a time. */
+/* A table of free bodies, one per row: state at a given time. */
 #ifndef ROT_FREE_TABLE_H
 #define ROT_FREE_TABLE_H
 
@@ -7,9 +7,10 @@
 
 typedef struct rot_free_table_rows {
   size_t n;
-  rot_column moment_kg_m2[3], omega_rad_per_s[3]; /* principal axes, which are the body's own */
-  rot_column q[4];                                /* attitude at the start, of any length */
-  rot_column time_s;                              /* since the start */
+  rot_column moment_kg_m2[3];    /* principal, >= 0 */
+  rot_column omega_rad_per_s[3]; /* principal axes, equal to the own axes */
+  rot_column q[4];               /* attitude at the start, any length > 0 */
+  rot_column time_s;             /* since the start */
 } rot_free_table_rows;
 
 #define ROT_FREE_TABLE_COLUMNS(X)                                                                  \
@@ -20,7 +21,7 @@ typedef struct rot_free_table_rows {
   X(double, final_omega_x_rad_per_s)                                                               \
   X(double, final_omega_y_rad_per_s)                                                               \
   X(double, final_omega_z_rad_per_s)                                                               \
-  X(double, error) /* of the attitude, a bound on its angle */
+  X(double, error) /* bound on the angle of the error of the attitude */
 
 typedef struct rot_free_table_columns {
 #define X(type, name) type *name;
@@ -28,8 +29,8 @@ typedef struct rot_free_table_columns {
 #undef X
 } rot_free_table_columns;
 
-/* At most `threads` threads (ground/parallel.h). A row without a motion (scene/free/motion.h), or
- * with NaN, has NaN. */
+/* bodies => columns. threads: at most that many (ground/parallel.h). A row without a motion
+ * (scene/free/motion.h) or with a NaN is NaN. */
 rot_status rot_free_table(const rot_free_table_rows *rows, int threads,
                           const rot_free_table_columns *out, const rot_hooks *hooks,
                           rot_info *info);

@@ -8,7 +8,7 @@ int rot_free_between_knots(size_t n, const double x[], double t, size_t *i, doub
   const size_t next = rot_upper_bound(n, x, t);
   *i = (next < n ? next : n - 1) - 1;
   const double width = x[*i + 1] - x[*i];
-  *part = width > 0.0 ? (t - x[*i]) / width : 1.0; /* no width: a jump at the last time */
+  *part = width > 0.0 ? (t - x[*i]) / width : 1.0; /* width 0: a jump at the last time */
   return 1;
 }
 
@@ -36,6 +36,7 @@ void rot_free_add_weight(const rot_free_params *p, const double q[4], double tor
   torque[2] += z[0] * g[1] - z[1] * g[0];
 }
 
+/* Sum of constant, table, law and gravity. */
 rot_status rot_free_torque(const rot_free_params *p, double t, const double omega[3],
                            const double q[4], int weight, double out[3]) {
   double torque[3] = {p->torque[0], p->torque[1], p->torque[2]};
@@ -47,7 +48,7 @@ rot_status rot_free_torque(const rot_free_params *p, double t, const double omeg
       rot_attitude_times(q, back, own_q);
       rot_attitude_to_space(p->axes, omega, own);
     }
-    (void)rot_attitude_unit(own_q); /* the law may look at q: within a step its length is not 1 */
+    (void)rot_attitude_unit(own_q); /* the law may depend on q, whose norm is not 1 within a step */
     const rot_status status = p->law(t, own, own_q, more, p->ctx);
     if (status != ROT_OK) return status;
     for (int k = 0; k < 3; k++) torque[k] += more[k];

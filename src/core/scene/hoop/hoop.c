@@ -6,6 +6,7 @@
 
 #include "engine/ode/system.h"
 
+/* Units of the inputs below. turn: rate of the hoop about the vertical; drag: N s/m; start: s. */
 typedef struct hoop {
   double mass, radius, turn, theta0, omega0, drag, mu_static, mu_kinetic, gravity, start;
   double inertia, weight; /* m R^2, m g R */
@@ -40,7 +41,8 @@ static rot_status build(const rot_given given[], rot_store *store, void *to, rot
 
 /* ---- motion ---------------------------------------------------------------------------------- */
 
-/* Forces over m R, along the hoop and normal to it. `low`: what theta lacks of the exact angle. */
+/* State => forces over m R along the hoop and normal to it, sin and cos theta. q_low: exact angle
+ * minus q. */
 typedef struct forces {
   double sine, cosine, along, normal;
 } forces;
@@ -121,7 +123,7 @@ static const rot_balance_term terms[] = {
     {MOMENTUM, ROT_CHANGE, "change of angular momentum", 0},
     {MOMENTUM, ROT_SUPPLIED, "impulse that keeps the hoop turning", 0}};
 
-/* Changes as products: a small one of a large energy keeps its digits. */
+/* Changes as products: a small change of a large energy keeps its digits. */
 static void audit(const void *scene, const rot_span *s, double term[]) {
   const hoop *h = scene;
   const double a = s->first[0], b = s->last[0], u = s->first[1], v = s->last[1];

@@ -1,5 +1,5 @@
-/* The contact of a round body with an incline: what holds it, its forces and the rates that they
- * make, what moves first from rest. Forces are those on 1 kg. */
+/* Contact of a round body with an incline: static and kinetic friction, rolling resistance, forces
+ * and accelerations, onset of motion from rest. Forces are per kg. */
 #ifndef ROT_INCLINE_CONTACT_H
 #define ROT_INCLINE_CONTACT_H
 
@@ -8,33 +8,39 @@
 #include "ground/ieee.h"
 
 typedef struct rot_incline_contact {
-  double beta, own, spin;                  /* I/(m R^2); shares: beta/(1 + beta), 1/(1 + beta) */
-  double pull, slides, breakaway, resists; /* g sin; mu_kinetic, mu_static, arm/R times g cos */
-  double holds; /* a force this much larger than what friction holds is held */
+  double beta;      /* I/(m R^2), > 0 */
+  double own;       /* beta/(1 + beta) */
+  double spin;      /* 1/(1 + beta) */
+  double pull;      /* g sin(angle), m/s^2 */
+  double slides;    /* mu_kinetic g cos(angle), >= 0 */
+  double breakaway; /* mu_static g cos(angle), >= 0; Inf: no slip */
+  double resists;   /* arm/R g cos(angle), >= 0 */
+  double holds;     /* factor >= 1 on breakaway and resists: tolerance for rounding */
 } rot_incline_contact;
 
-/* What a coefficient of friction holds. The limit Inf holds without a normal force, too: a wall at
- * 90 degrees that never lets the body slip. */
+/* (coefficient, normal force) => largest friction. Inf also without a normal force: at 90 degrees
+ * such a contact does not slip. */
 static inline double rot_incline_friction(double coefficient, double normal) {
   return isinf(coefficient) ? coefficient : coefficient * normal;
 }
 
-/* The sign of the slip, 0: the contact sticks; the sign of omega, 0: the resistance holds it, where
- * there is one. */
+/* Mode of the motion. */
 typedef struct rot_incline_directions {
-  int slip, spin;
+  int slip; /* sign of v - R omega; 0: the contact sticks */
+  int spin; /* sign of omega; 0 with a resistance: omega is held at 0 */
 } rot_incline_directions;
 
+/* 1 if the rolling resistance holds omega at 0, else 0. */
 static inline int rot_incline_held(const rot_incline_contact *c, rot_incline_directions at) {
   return c->resists > 0.0 && at.spin == 0;
 }
 
-/* The friction that keeps the contact from slipping under this pull and resistance. */
+/* (pull, resistance) => friction that keeps the contact sticking. */
 static inline double rot_incline_needed(const rot_incline_contact *c, double pull, double torque) {
   return c->own * pull + c->spin * torque;
 }
 
-/* From rest, under a pull of gravity and what else acts on the centre. Both 0: it rests. */
+/* pull on the centre of mass => mode after rest; {0, 0}: it stays at rest. */
 static inline rot_incline_directions rot_incline_leave_rest(const rot_incline_contact *c,
                                                             double pull) {
   const int direction = (pull > 0.0) - (pull < 0.0);
@@ -50,8 +56,8 @@ static inline rot_incline_directions rot_incline_leave_rest(const rot_incline_co
   return to;
 }
 
-/* What moves on, for a body that does not rest. `turns`: the spin counts; `lost`: static friction
- * is. */
+/* (mode, pull, v) => next mode of a body that is not at rest. `turns`: the mode has the sign of
+ * omega; `lost`: the friction needed has reached breakaway. */
 static inline rot_incline_directions rot_incline_go_on(const rot_incline_contact *c,
                                                        rot_incline_directions at, double pull,
                                                        double v, int turns, int lost) {
@@ -65,16 +71,20 @@ static inline rot_incline_directions rot_incline_go_on(const rot_incline_contact
   return at;
 }
 
-/* Of the contact; v and w: the rates of the centre's velocity and of R omega. */
+/* Forces of the contact, and accelerations. */
 typedef struct rot_incline_forces {
-  double friction, torque, v, w;
+  double friction; /* positive up the slope */
+  double torque;   /* of the rolling resistance, over R */
+  double v;        /* acceleration of the centre */
+  double w;        /* rate of R omega */
 } rot_incline_forces;
 
+/* (pull, mode) => forces, accelerations. */
 static inline rot_incline_forces rot_incline_forces_of(const rot_incline_contact *c, double pull,
                                                        rot_incline_directions at) {
   rot_incline_forces f = {0.0, at.spin * c->resists, 0.0, 0.0};
   const int held = rot_incline_held(c, at);
-  if (at.slip == 0 && held) { /* it rests */
+  if (at.slip == 0 && held) { /* at rest */
     f.friction = f.torque = pull;
   } else if (at.slip == 0) {
     f.friction = rot_incline_needed(c, pull, f.torque);

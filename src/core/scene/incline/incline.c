@@ -8,19 +8,21 @@
 
 const char *const rot_incline_measures[] = {"x", "v", "theta", "omega", NULL};
 
-/* The centre has the velocity v, the rim w = R omega. Their mean M = (v + beta w)/(1 + beta) does
- * not feel the friction, nor the error of the time when rolling begins; the slip u = v - w ends
- * there: while it rolls, v = w = M. v and w are carried, too: M and u lose the digits of the
- * smaller one. Paths are those since the start, forces those on 1 kg. */
+/* v: velocity of the centre; w = R omega: of the rim. Their mean M = (v + beta w)/(1 + beta) is
+ * independent of the friction and of the error of the time at which rolling begins. The slip u = v
+ * - w is then 0: rolling has v = w = M. v and w are stored too: computed from M and u, the smaller
+ * one would lose digits. Paths count from the start; forces are per kg. */
 typedef struct incline {
   const rot_incline_params *p;
   rot_incline_contact on;
   double time_s;
-  double x, v, turn, w, mean, slip, slip_heat, rolling_heat;
+  double x, v, turn, w, mean, slip; /* paths and speeds of centre and rim; M; u */
+  double slip_heat, rolling_heat;   /* J, since the start */
   double x_error, v_error, turn_error, w_error, mean_error, slip_error;
-  double settled_s;          /* from here on the slip is known to be 0 while it rolls */
-  rot_incline_directions at; /* spin without a resistance, too */
-  int direction;             /* sign of v, from which it may reverse */
+  double settled_s; /* latest time at which rolling began: the slip is exactly 0 after it */
+  rot_incline_directions at; /* spin: also without a resistance */
+  int direction;             /* sign of v before a reversal */
+  /* The segment from time_s to end_s. */
   double force, torque;
   double v_rate, w_rate, mean_rate, slip_rate;
   double v_rate_error, w_rate_error, mean_rate_error, slip_rate_error;
@@ -30,8 +32,8 @@ typedef struct incline {
 
 static int sign(double x) { return (x > 0.0) - (x < 0.0); }
 
-/* The rounding of the products, and that of the angle, by which the tangent changes by
- * angle/(sin cos) as much: at its critical angle the body rolls. */
+/* Rounding of the products, and of the angle: the latter changes the tangent by the relative error
+ * times angle/(sin cos). A body at its critical angle therefore rolls. */
 double rot_incline_holds(double angle_deg, double sine, double cosine) {
   const double holds = 1.0 + 16.0 * ROT_EPS;
   if (sine * cosine == 0.0) return holds;
@@ -52,6 +54,7 @@ void rot_incline_touch(const rot_incline_params *p, rot_incline_contact *out) {
   out->holds = rot_incline_holds(p->angle_deg, sine, cosine);
 }
 
+/* parameters => state at the start; a slip within rounding is 0. */
 static void begin(incline *c, const rot_incline_params *p) {
   const double v0 = p->v0_m_per_s, w0 = p->radius_m * p->omega0_rad_per_s;
   *c = (incline){0};
@@ -81,7 +84,7 @@ static int held(const incline *c) { return rot_incline_held(&c->on, c->at); }
 
 static int rests(const incline *c) { return c->at.slip == 0 && c->at.spin == 0 && c->mean == 0.0; }
 
-/* Forces, rates and the rounding of the rates. */
+/* mode => forces, accelerations, rounding errors of the accelerations. */
 static void find_forces(incline *c) {
   c->at = rests(c) ? rot_incline_leave_rest(&c->on, c->on.pull)
                    : rot_incline_go_on(&c->on, c->at, c->on.pull, c->mean, 1, 0);
@@ -115,7 +118,7 @@ static void find_forces(incline *c) {
   c->slip_rate_error = c->v_rate_error + c->w_rate_error + ROT_EPS * fabs(c->slip_rate);
 }
 
-/* When a value that moves away from its sign reaches zero; Inf if it does not. */
+/* Time at which `value` reaches 0 at a constant rate; Inf: never, or direction is 0. */
 static double zero_s(const incline *c, int direction, double value, double rate) {
   if (direction == 0 || direction * rate >= 0.0) return INFINITY;
   const double s = -value / rate;
@@ -126,8 +129,8 @@ static void find_end(incline *c) {
   const double slip = zero_s(c, c->at.slip, c->slip, c->slip_rate);
   const double spin =
       c->on.resists > 0.0 ? zero_s(c, c->at.spin, c->w, c->w_rate) : (double)INFINITY;
-  /* Against a resistance, v is zero together with omega where it rolls, with the slip where omega
-   * is held: those count. */
+  /* With a resistance, v reaches 0 together with omega (rolling) or with the slip (omega held):
+   * those are the events. */
   const double turn = c->on.resists > 0.0 && (c->at.slip == 0 || c->at.spin == 0)
                           ? (double)INFINITY
                           : zero_s(c, c->direction, c->v, c->v_rate);
@@ -147,10 +150,10 @@ static void enter(incline *c) {
 
 /* ---- along a segment ------------------------------------------------------------------------- */
 
-/* *path and *speed after s, with their errors; the difference of times is rounded, too. */
+/* (path, speed, rate) => path, speed and their errors after s; includes the rounding of s. */
 static void move(double s, double rate, double rate_error, double *path, double *speed,
                  double *path_error, double *speed_error) {
-  /* s^2 may exceed the range where rate s^2 does not. */
+  /* s^2 may overflow where rate s^2 does not. */
   const double half = 0.5 * s, gain = rate * s, gain_error = rate_error * s;
   *path_error += *speed_error * s + gain_error * half +
                  ROT_EPS * (4.0 * fabs(*speed) * s + 6.0 * fabs(gain) * half);
@@ -161,7 +164,7 @@ static void move(double s, double rate, double rate_error, double *path, double 
   *speed_error += ROT_EPS * fabs(*speed);
 }
 
-/* m force s speed, without intermediate overflow. */
+/* m * force * s * speed without intermediate overflow. */
 static double heat(double m, double force, double s, double speed) {
   if (force == 0.0 || s == 0.0 || speed == 0.0) return 0.0;
   const double x = m * force * (s * speed);
@@ -169,7 +172,7 @@ static double heat(double m, double force, double s, double speed) {
   return rot_product(4, (double[]){m, force, s, speed}, 1.0);
 }
 
-/* The state at a later time of the segment. */
+/* (segment, time) => state at a later time of the segment. */
 static incline after(const incline *c, double time) {
   incline to = *c;
   const double s = time - c->time_s, m = c->p->mass_kg;
@@ -195,7 +198,7 @@ static incline after(const incline *c, double time) {
   } else {
     path = path_error = 0.0;
     move(s, c->slip_rate, c->slip_rate_error, &path, &to.slip, &path_error, &to.slip_error);
-    /* Slip and spin keep their signs on the segment: all parts of the heat are positive. */
+    /* Slip and spin have one sign on the segment: all parts of the heat are positive. */
     to.slip_heat += heat(m, fabs(c->force), 0.5 * s, fabs(c->slip + to.slip));
   }
   if (c->at.spin != 0) to.rolling_heat += heat(m, c->on.resists, 0.5 * s, fabs(c->w + to.w));
@@ -203,19 +206,19 @@ static incline after(const incline *c, double time) {
 }
 
 static void end_slip(incline *c, const incline *from) {
-  /* u s + u' s^2/2 with s = -u/u' is -u^2/(2 u'), without the rounding of the time. */
+  /* u s + u' s^2/2 with s = -u/u' is -u^2/(2 u'), free of the rounding of s. */
   const double path = 0.5 * from->slip * (-from->slip / from->slip_rate);
   c->slip_heat = from->slip_heat + from->p->mass_kg * fabs(from->force) * fabs(path);
   c->slip = 0.0;
   c->at.slip = 0;
-  /* Where omega is held, or zero within its error, too, the body is at rest. */
+  /* If omega is held, or 0 within its error, the body is at rest. */
   if (from->on.resists > 0.0 && (c->at.spin == 0 || fabs(c->mean) <= c->mean_error)) {
     c->mean = 0.0;
     c->at.spin = 0;
   }
 }
 
-/* At the rounded time, w (M, too, where it rolls) is not exactly 0. While it slips, M keeps its
+/* At the rounded time w (and M, if rolling) is not exactly 0: set it. While slipping, M keeps its
  * value. */
 static void end_spin(incline *c) {
   c->at.spin = 0;
@@ -226,7 +229,8 @@ static void end_spin(incline *c) {
   c->mean = 0.0;
 }
 
-/* An error of `late` in the time of an event changes later speeds by the change of their rates. */
+/* The error `late` of the time of an event changes later speeds by `late` times the change of their
+ * rates. */
 static void spread(incline *c, const incline *from, double late) {
   const double v = fabs(c->v_rate - from->v_rate) * late;
   const double w = fabs(c->w_rate - from->w_rate) * late;
@@ -238,7 +242,7 @@ static void spread(incline *c, const incline *from, double late) {
   c->v_error += v;
   c->w_error += w;
   if (c->at.slip == 0) {
-    /* It rolls: both speeds are the mean. Or it rests, after the event without an error. */
+    /* Rolling: both speeds are the mean. At rest: error 0 after the event. */
     c->v = c->w = c->mean;
     c->v_error = rests(c) ? v : c->mean_error;
     c->w_error = rests(c) ? w : c->mean_error;
@@ -266,7 +270,7 @@ rot_status rot_incline_log(rot_events *events, double time_s, rot_incline_direct
   return ROT_OK;
 }
 
-/* Goes to the end of the segment and enters the next one. */
+/* segment => state at its end, next segment, events. */
 static rot_status cross(incline *c, rot_events *events) {
   const incline from = *c;
   const double end = c->end_s;
@@ -366,6 +370,7 @@ static int holds(const void *model, double time_s) {
   return !(((const incline_run *)model)->at.end_s <= time_s);
 }
 
+/* state => row i, its errors. */
 static rot_status fill_row(const incline *at_time, const rot_incline_columns *out, size_t i,
                            rot_info *info) {
   const incline now = *at_time;
@@ -391,12 +396,13 @@ static rot_status fill_row(const incline *at_time, const rot_incline_columns *ou
   return ROT_OK;
 }
 
+/* End of the present segment, next segment, row of the event. */
 static rot_status next_piece(void *model, double *end_s) {
   incline_run *run = model;
   *end_s = run->at.end_s;
   const size_t before = run->events ? run->events->count : 0;
   const rot_status status = cross(&run->at, run->events);
-  /* A spin that passes zero while the contact slips ends a piece, but is no event. */
+  /* A spin that passes 0 while the contact slips ends a segment, but is no event. */
   const int logged = run->events && run->events->count > before;
   if (status != ROT_OK || !run->at_events || !logged) {
     const state at = state_of(&run->at);
@@ -429,7 +435,7 @@ rot_status rot_incline_run(const rot_incline_params *p, size_t n, const double t
   return rot_step_rows(&stepping, &run, p->start_s, n, time_s, hooks, info);
 }
 
-/* ---- one time alone -------------------------------------------------------------------------- */
+/* ---- state at one time ----------------------------------------------------------------------- */
 
 static void note_sizes(const incline *c, double max[4]) {
   const state at = state_of(c);

@@ -47,12 +47,12 @@ static double pull_of(const rot_incline_params *p) {
   return p->mass_kg * p->gravity_m_per_s2 * rot_sin_deg(p->angle_deg);
 }
 
-/* Of what a run has summed up. */
+/* row => errors of the flows, from the errors of the measures in *info. */
 static void errors_of(const rot_incline_params *p, const rot_incline_place *at,
                       const rot_info *info, const double value[], double error[]) {
   const double weight = p->mass_kg * p->gravity_m_per_s2, pull = fabs(pull_of(p));
   const double x_error = info->measure[ROT_INCLINE_X].error;
-  /* A path that is off by x counts in the heat by what friction does along it. */
+  /* The error of a path changes the heat by the friction along it. */
   const double off = 4.0 * (x_error + p->radius_m * info->measure[ROT_INCLINE_THETA].error);
   const double mu = fmin(p->mu_kinetic, 1e300), arm = fmin(p->arm_m / p->radius_m, 1e300);
   for (int k = 0; k < ROT_INCLINE_FLOWS; k++) {
@@ -88,7 +88,7 @@ void rot_incline_flow(const rot_incline_params *p, const rot_incline_place *at, 
 
 /* ---- balances -------------------------------------------------------------------------------- */
 
-/* Changes as products: a small one of a large energy keeps its digits. */
+/* Changes as products: a small change of a large energy keeps its digits. */
 void rot_incline_audit(const void *of, const rot_span *s, double term[]) {
   const rot_incline_params *p = &((const rot_incline_scene *)of)->slope;
   const double m = p->mass_kg, inertia = p->inertia_kg_m2, *flow = s->flow;
@@ -112,7 +112,7 @@ void rot_incline_audit(const void *of, const rot_span *s, double term[]) {
   memcpy(term, value, sizeof value);
 }
 
-/* Friction dissipates where the contact slips: from the start, or where static friction does not
+/* Friction dissipates if the contact slips: from the start, or because static friction does not
  * suffice. */
 size_t rot_incline_conserved(const void *of, size_t balance, const char *why[]) {
   const rot_incline_scene *scene = of;

@@ -32,15 +32,15 @@ static const char *not_before(const void *scene, const rot_query *query) {
   return before ? "it cannot run backwards from the scene's start" : NULL;
 }
 
-/* seconds: of a run, of a row. */
+/* model->seconds: per run, per row. */
 static double cost_s(const rot_model *model, const void *scene, const rot_query *query) {
   (void)scene;
   return model->seconds[0] + (double)query->n * model->seconds[1];
 }
 
-/* Steps of a segment, and a few segments; drag counts by the times that it fades in, as in
- * scene/axle/models.c. seconds: the rate, its power, decay times, steps after, of explicit and
- * implicit steps. */
+/* Steps of one segment, times a few segments. Drag adds steps per decay time as in
+ * scene/axle/models.c. model->seconds: step rate, its power, decay times, later steps; for explicit
+ * and implicit steps. */
 static double integrated_s(const rot_model *model, const void *of, const rot_query *query,
                            int implicit) {
   const rot_incline_scene *scene = of;

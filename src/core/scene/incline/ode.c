@@ -8,8 +8,8 @@
 #include "engine/ode/ode.h"
 #include "ground/real.h"
 
-/* Paths since the start: that of the centre and that of the rim, R (theta - theta0); their speeds v
- * and w = R omega; integrals; the mode, which the rows read. */
+/* State vector: paths of centre and rim, R (theta - theta0), since the start; speeds v and w = R
+ * omega; integrals; the mode, for the rows. */
 enum {
   TRAVEL,
   TURN,
@@ -28,10 +28,10 @@ enum {
   DIM
 };
 
-/* Without a resistance, spin is 0 and holds nothing. */
+/* Without a resistance spin is 0 and omega is not held. */
 typedef rot_incline_directions directions;
 
-/* The state after an event, for a row at its time. */
+/* State after an event, for the row at its time. */
 typedef struct change {
   double time_s, y[DIM];
   int mode;
@@ -39,17 +39,17 @@ typedef struct change {
 
 typedef struct motion {
   const rot_incline_scene *scene;
-  const rot_incline_params *p; /* of its slope */
+  const rot_incline_params *p; /* scene->slope */
   rot_incline_contact on;
-  int mode;
-  double max;        /* largest speed met */
-  double beyond;     /* rounding of the speeds, ample */
-  rot_status failed; /* in an event function: rhs reports it */
+  int mode;          /* see mode_of() */
+  double max;        /* largest speed so far, m/s */
+  double beyond;     /* generous bound of the rounding of the speeds, m/s */
+  rot_status failed; /* status of an event function, returned by the next rhs */
   rot_events *events;
   size_t n_changes, room;
   change *changes;
-  double noise[STATE];
-  double span_s;
+  double noise[STATE]; /* rounding and noise of the rates, see note_noise() */
+  double span_s;       /* start to last row */
 } motion;
 
 static int sign(double x) { return (x > 0.0) - (x < 0.0); }
@@ -64,7 +64,7 @@ static int rests(const motion *m, directions at) { return held(m, at) && at.slip
 
 typedef struct forces {
   double applied, drag; /* N */
-  double pull;          /* of gravity, drag and force, on 1 kg */
+  double pull;          /* of gravity, drag and force, per kg */
 } forces;
 
 static rot_status pull_at(const motion *m, double t, double travel, double v, forces *f) {
@@ -80,6 +80,7 @@ static rot_status pull_at(const motion *m, double t, double travel, double v, fo
   return ROT_OK;
 }
 
+/* (time, state) => rates, in the present mode. */
 static rot_status incline_rhs(double t, const double y[], double dydt[], void *ctx) {
   const motion *m = ctx;
   const directions at = directions_of(m->mode);
@@ -105,12 +106,12 @@ static rot_status incline_rhs(double t, const double y[], double dydt[], void *c
   return ROT_OK;
 }
 
-/* ---- how it goes on -------------------------------------------------------------------------- */
+/* ---- changes of mode ------------------------------------------------------------------------- */
 
 typedef enum cause { BEGINS, SLIP_ENDS, SPIN_ENDS, STICK_ENDS, JUMPS } cause;
 
-/* From rest: what moves first. `lost`: the pull has reached what holds the body; where it jumped
- * there it may be beyond that. */
+/* pull => mode after rest. `lost`: the pull has reached the breakaway force; after a jump it may
+ * exceed it. */
 static directions leave_rest(const motion *m, double pull, int lost) {
   const int direction = sign(pull);
   directions at = {0, 0};
@@ -148,9 +149,10 @@ static rot_status keep_change(motion *m, double t, const double y[]) {
   return ROT_OK;
 }
 
-/* Rounding that an event leaves in a speed that is zero there. */
+/* Bound of the rounding of a speed that is 0 at an event. */
 static double small(const motion *m) { return 64.0 * ROT_EPS * m->max; }
 
+/* (state, cause) => state, mode and events after the event. */
 static rot_status settle(motion *m, double t, double y[], cause why) {
   const directions from = directions_of(m->mode);
   directions at = from;
@@ -159,7 +161,7 @@ static rot_status settle(motion *m, double t, double y[], cause why) {
   if (status != ROT_OK) return status;
   if (why == SLIP_ENDS) {
     at.slip = 0;
-    /* Where the contact does not stick, the slip passes zero and both speeds go on. */
+    /* If the contact does not stick, the slip changes its sign and both speeds are continuous. */
     const double need = fabs(rot_incline_needed(&m->on, f.pull, at.spin * m->on.resists));
     if (held(m, from)) {
       y[SPEED] = y[RIM] = 0.0;
@@ -178,7 +180,8 @@ static rot_status settle(motion *m, double t, double y[], cause why) {
   at = find_directions(m, at, f.pull, y, why == STICK_ENDS);
   m->mode = mode_of(at);
   y[MODE] = (double)m->mode;
-  /* A rolling body that the resistance stopped, and one that slid with omega held, has turned. */
+  /* A reversal: the body stopped while rolling, or while slipping with omega held, and does not
+   * stay at rest. */
   const int turned = y[SPEED] == 0.0 && y[RIM] == 0.0 && !rests(m, from) && !rests(m, at) &&
                      ((why == SPIN_ENDS && from.slip == 0) || (why == SLIP_ENDS && held(m, from)));
   if (why == BEGINS) return ROT_OK;
@@ -189,7 +192,7 @@ static rot_status settle(motion *m, double t, double y[], cause why) {
 
 /* ---- events ---------------------------------------------------------------------------------- */
 
-/* The engine logged the event under its general name: the log takes what really changed. */
+/* Replaces the engine's generic log entry by the actual events. */
 static rot_ode_then settle_at(double t, double y[], int *mode, void *ctx, cause why) {
   motion *m = ctx;
   if (m->events && m->events->count) m->events->count--;
@@ -214,7 +217,7 @@ static rot_ode_then at_limit(double t, double y[], int *mode, int forward, void 
   return settle_at(t, y, mode, ctx, STICK_ENDS);
 }
 
-/* Quadratic drag has a kink where v changes its sign. */
+/* Quadratic drag has a kink where v changes its sign: a new segment. */
 static rot_ode_then at_turn(double t, double y[], int *mode, int forward, void *ctx) {
   motion *m = ctx;
   (void)mode, (void)forward;
@@ -223,7 +226,7 @@ static rot_ode_then at_turn(double t, double y[], int *mode, int forward, void *
   return m->scene->drag_n_s2_per_m2 != 0.0 ? ROT_ODE_NEW_SEGMENT : ROT_ODE_GO_ON;
 }
 
-/* A speed that begins at zero has the sign of its way there. */
+/* A speed that is 0 at the start of a segment has the sign of its mode. */
 static double signed_speed(double speed, int direction) {
   return speed == 0.0 ? direction * DBL_MIN : speed;
 }
@@ -242,8 +245,8 @@ static double spin_at(double t, const double y[], void *ctx) {
   return m->on.resists == 0.0 || spin == 0 ? 1.0 : signed_speed(y[RIM], spin);
 }
 
-/* A step that ends within a rounding of the zero hides it from the next one (one of 3000 random
- * scenes): the event is met, too, where the speed has the other sign by more than rounding. */
+/* A step that ends within rounding of the zero hides it from the next step (1 of 3000 random
+ * scenes). Second event function: the speed has the opposite sign by more than rounding. */
 static double slip_turned(double t, const double y[], void *ctx) {
   const motion *m = ctx;
   const int slip = directions_of(m->mode).slip;
@@ -258,8 +261,8 @@ static double spin_turned(double t, const double y[], void *ctx) {
   return m->on.resists == 0.0 || spin == 0 ? 1.0 : spin * y[RIM] + m->beyond;
 }
 
-/* Against a resistance, v is zero together with omega where it rolls, with the slip where omega is
- * held: those count. */
+/* With a resistance, v reaches 0 together with omega (rolling) or with the slip (omega held): those
+ * are the events. */
 static double turn_at(double t, const double y[], void *ctx) {
   const motion *m = ctx;
   const directions at = directions_of(m->mode);
@@ -267,7 +270,7 @@ static double turn_at(double t, const double y[], void *ctx) {
   return m->on.resists > 0.0 && (at.slip == 0 || at.spin == 0) ? 1.0 : y[SPEED];
 }
 
-/* 1: nothing pulls; below 0 the friction does not hold. */
+/* 1 - needed/maximal friction; 1 without a pull, negative beyond breakaway. */
 static double margin_at(double t, const double y[], void *ctx) {
   motion *m = ctx;
   const directions at = directions_of(m->mode);
@@ -317,8 +320,8 @@ static void begin(motion *m, const rot_incline_scene *scene, double span_s, doub
       mode_of((directions){rolls ? 0 : sign(v0 - w0), m->on.resists > 0.0 ? sign(y[RIM]) : 0});
 }
 
-/* How far rounding may move the rates: the sum of what acts. Where a motion begins in it, no step
- * would pass its error test. */
+/* Rounding of the rates: proportional to the sum of the forces. Without it no step would pass the
+ * error test where the motion starts within rounding. */
 static void note_noise(motion *m, double pull) {
   const double friction = directions_of(m->mode).slip == 0 ? fabs(pull) : m->on.slides;
   const double sizes = fabs(m->on.pull) + fabs(pull) + friction + m->on.resists;
@@ -331,7 +334,7 @@ static void note_noise(motion *m, double pull) {
 
 /* ---- rows ------------------------------------------------------------------------------------ */
 
-/* The last change at this time, or NULL: those of the result are kept last. */
+/* time => the last change at that time, or NULL. Changes of the returned run come last. */
 static const change *change_at(const motion *m, double t) {
   const rot_events *log = m->events;
   int logged = 0;
@@ -342,6 +345,7 @@ static const change *change_at(const motion *m, double t) {
   return NULL;
 }
 
+/* (time, state) => row i. */
 static rot_status fill_row(const motion *m, size_t i, double t, const double y[],
                            const rot_incline_columns *out, const rot_incline_sums *sums) {
   const rot_incline_params *p = m->p;
@@ -378,6 +382,7 @@ static rot_status fill_row(const motion *m, size_t i, double t, const double y[]
   return !isfinite(f.applied) ? ROT_ERHS : finite ? ROT_OK : ROT_ERANGE;
 }
 
+/* states => rows, up to the last valid one. */
 static rot_status fill_rows(const motion *m, size_t n, const double time_s[], const double y[],
                             const rot_incline_columns *out, const rot_incline_sums *sums,
                             rot_info *info) {
@@ -395,7 +400,7 @@ static rot_status fill_rows(const motion *m, size_t n, const double time_s[], co
   return ROT_OK;
 }
 
-/* Rows at the events of the log. */
+/* log => rows at its events. */
 static rot_status fill_event_rows(const motion *m, rot_incline_event_rows *rows, rot_info *info) {
   rot_status status = ROT_OK;
   for (size_t i = 0; rows && m->events && i < m->events->count && status == ROT_OK; i++) {
@@ -416,11 +421,12 @@ static rot_status fill_event_rows(const motion *m, rot_incline_event_rows *rows,
   return status;
 }
 
-/* Of few and long implicit steps the distance of two runs says too little: 92 of 100 random scenes
- * were covered; with this part of the accuracy asked 98 are (bench/coverage/incline.c). */
+/* Lower bound of Radau's error estimate as a fraction of the requested accuracy. With few, long
+ * steps the difference of two runs is too small: it covered 92 of 100 random scenes, with this
+ * bound 98 (bench/coverage/incline.c). */
 #define RADAU_MIN 1e-3
 
-/* A path is large where it is, or was on the way; `offset` is where it began. */
+/* Error and largest value of a path x. largest: of |x - offset|; offset: x at the start. */
 static void note_path(rot_measure *measure, double offset, double error, double largest, size_t n,
                       const double rows[]) {
   measure->largest = fmax(fabs(offset), largest - fabs(offset));
@@ -428,6 +434,7 @@ static void note_path(rot_measure *measure, double offset, double error, double 
   measure->error = error + 4.0 * ROT_EPS * measure->largest;
 }
 
+/* errors of the state vector => errors of the measures and of the sums. */
 static void note_errors(const motion *m, double accuracy, const rot_incline_columns *out,
                         const double error[], const double largest[], rot_incline_sums *sums,
                         rot_info *info) {
@@ -471,7 +478,7 @@ rot_status rot_incline_integrate(const rot_incline_scene *scene,
   begin(&m, scene, span, start);
   m.events = events;
   double *y = malloc((n ? n : 1) * DIM * sizeof *y);
-  /* sign(sin(t)) has neither of its values at the start. */
+  /* A force such as sign(sin(t)) is 0 at the start only: evaluate just after it. */
   const double begins = scene->force ? nextafter(p->start_s, INFINITY) : p->start_s;
   rot_status failure = y ? settle(&m, begins, start, BEGINS) : ROT_ENOMEM;
   if (failure == ROT_OK && n && time_s[0] < p->start_s) failure = ROT_EVALUE;
@@ -494,7 +501,7 @@ rot_status rot_incline_integrate(const rot_incline_scene *scene,
                                 .start_s = p->start_s,
                                 .start_breaks = scene->force != NULL,
                                 .start = start,
-                                /* Relative to x, which may be half as large as x less x0. */
+                                /* Relative to x, which may be half of |x - x0|. */
                                 .accuracy = (offset ? 0.5 : 1.0) * options->accuracy,
                                 .max_steps = options->max_steps,
                                 .method = options->method,

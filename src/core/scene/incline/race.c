@@ -5,13 +5,14 @@
 #include "scene/incline/incline.h"
 #include "ground/real.h"
 
-/* Rows between two polls: some milliseconds. */
+/* Rows between two polls: some ms. */
 enum { CHUNK = 65536 };
 
 typedef struct slope {
   double angle, sine, cosine, holds;
 } slope;
 
+/* body i => acceleration, needed friction, finish time, mode. */
 static void start(const rot_race_bodies *b, size_t i, slope *on, const rot_race_columns *out) {
   const double beta = rot_at(b->beta, i), radius = rot_at(b->radius_m, i);
   const double angle = rot_at(b->angle_deg, i), gravity = rot_at(b->gravity_m_per_s2, i);

@@ -1,5 +1,5 @@
-/* Many round bodies released together at the top of an incline. From rest, all forces are
- * constant: a body rests, rolls or slides for good. */
+/* Round bodies released together at the top of inclines. Forces from rest are constant: each body
+ * rests, rolls or slides permanently. */
 #ifndef ROT_INCLINE_RACE_H
 #define ROT_INCLINE_RACE_H
 
@@ -8,15 +8,19 @@
 
 typedef struct rot_race_bodies {
   size_t n;
-  rot_column beta;     /* >= 0; 0: it does not turn; Inf: it does not move */
-  rot_column radius_m; /* > 0 */
-  rot_column angle_deg, gravity_m_per_s2, mu_static, mu_kinetic, arm_m;
-  rot_column length_m; /* > 0, to the finish */
+  rot_column beta;             /* I/(m R^2) >= 0; 0: point mass; Inf: the body does not move */
+  rot_column radius_m;         /* > 0 */
+  rot_column angle_deg;        /* -90 to 90 */
+  rot_column gravity_m_per_s2; /* >= 0 */
+  rot_column mu_static;        /* >= 0 */
+  rot_column mu_kinetic;       /* >= 0 */
+  rot_column arm_m;            /* >= 0, of the rolling resistance */
+  rot_column length_m;         /* > 0, to the finish */
 } rot_race_bodies;
 
-/* needed: the coefficient of friction that rolling, or rest, needs; Inf where no normal force acts
- * and one would be needed. finish_time_s: Inf where the body does not come
- * down. Neither slips nor rests: it rolls. */
+/* friction_needed: smallest coefficient of friction for rolling or rest; Inf: friction is needed
+ * without a normal force. finish_time_s: Inf if the body does not reach the finish. Neither slips
+ * nor rests: it rolls. */
 #define ROT_RACE_COLUMNS(X)                                                                        \
   X(double, acceleration_m_per_s2)                                                                 \
   X(double, angular_acceleration_rad_per_s2)                                                       \
@@ -31,17 +35,18 @@ typedef struct rot_race_columns {
 #undef X
 } rot_race_columns;
 
-/* NaN in a row with NaN. */
+/* bodies => accelerations, finish times, modes. A row with a NaN gives NaN. */
 rot_status rot_race_starts(const rot_race_bodies *bodies, const rot_race_columns *out,
                            const rot_hooks *hooks, rot_info *info);
 
-/* A row for each time >= 0 and body, all bodies at the first time first. From the finish on a body
- * keeps the state in which it arrived. */
+/* One row per time and body, sorted by time. */
 typedef struct rot_race_frames {
   double *time_s, *x_m, *v_m_per_s, *theta_rad, *omega_rad_per_s;
   int *finished;
 } rot_race_frames;
 
+/* (accelerations, finish times, times >= 0) => rows. After the finish a body keeps its state at the
+ * finish. */
 rot_status rot_race_run(size_t n, const double acceleration[], const double angular[],
                         const double finish_s[], size_t times, const double time_s[],
                         const rot_race_frames *out, const rot_hooks *hooks, rot_info *info);

@@ -37,7 +37,7 @@ static rot_incline_columns columns_of(void *const column[]) {
 
 /* ---- runs ------------------------------------------------------------------------------------ */
 
-/* The flows of a row into flow[][i], their errors into the largest of all rows. */
+/* row => flow[][i]; flow_error[]: maximum over the rows. */
 static void fill_flows(const rot_incline_params *p, const rot_incline_place *at, int exact,
                        const rot_info *info, const rot_rows *rows, size_t i) {
   double value[ROT_INCLINE_FLOWS], error[ROT_INCLINE_FLOWS];
@@ -48,10 +48,10 @@ static void fill_flows(const rot_incline_params *p, const rot_incline_place *at,
   }
 }
 
-/* Rows at events, which it frees. */
+/* Rows at events => columns of `to`; frees `from`. */
 static rot_status give_event_rows(const rot_incline_params *p, rot_incline_event_rows *from,
                                   int exact, const rot_info *info, rot_event_rows *to) {
-  double error[ROT_INCLINE_FLOWS]; /* that of the rows is at least as large */
+  double error[ROT_INCLINE_FLOWS]; /* not used: the rows have at least this error */
   rot_status status = ROT_OK;
   for (size_t i = 0; i < from->count && status == ROT_OK; i++) {
     const rot_incline_row *row = &from->row[i];
@@ -79,6 +79,7 @@ static rot_status give_event_rows(const rot_incline_params *p, rot_incline_event
   return status;
 }
 
+/* (scene, task) => rows, flows, event rows, by the closed form. */
 static rot_status run_exact(const void *of, const rot_task *task, rot_method method,
                             const rot_rows *rows, const rot_hooks *hooks, rot_info *info) {
   const rot_incline_params *p = &((const rot_incline_scene *)of)->slope;
@@ -96,7 +97,7 @@ static rot_status run_exact(const void *of, const rot_task *task, rot_method met
   return info->status = ran == ROT_OK ? given : ran;
 }
 
-/* Where a run puts its sums: the flows, or memory of their own. */
+/* Destination of the sums: the flow columns, or memory allocated here. */
 static rot_status open_sums(size_t n, const rot_rows *rows, rot_incline_sums *sums,
                             double **memory) {
   enum { SUMS = ROT_INCLINE_FLOWS - ROT_INCLINE_SUM };
@@ -119,6 +120,7 @@ static rot_status open_sums(size_t n, const rot_rows *rows, rot_incline_sums *su
   return ROT_OK;
 }
 
+/* (scene, task) => rows, flows, event rows, by integration. */
 static rot_status run_integrated(const void *of, const rot_task *task, rot_method method,
                                  const rot_rows *rows, const rot_hooks *hooks, rot_info *info) {
   const rot_incline_scene *scene = of;

@@ -1,11 +1,11 @@
-/* A scene on an incline from its inputs. */
+/* Inputs of an incline scene. */
 #ifndef ROT_INCLINE_SCENE_H
 #define ROT_INCLINE_SCENE_H
 
 #include "engine/model.h"
 #include "scene/incline/ode.h"
 
-/* Effects, in the order of their list. */
+/* Mask of effects, in the order of their table. */
 enum {
   ROT_INCLINE_GRAVITY = 1,
   ROT_INCLINE_FRICTION = 2,
@@ -21,16 +21,17 @@ enum { ROT_INCLINE_INPUTS = 15 };
 
 extern const rot_input rot_incline_inputs[ROT_INCLINE_INPUTS];
 
-/* As built: what the models read first, as they read it. */
+/* A built scene. The models read its first member. */
 typedef struct rot_incline_built {
   rot_incline_scene scene;
-  rot_law law;
-  double force_n; /* of a constant force */
+  rot_law law;    /* of the applied force */
+  double force_n; /* if it is constant */
 } rot_incline_built;
 
-/* rot_constraint.build and .start_s */
+/* rot_constraint.build: inputs => rot_incline_built, or a refusal. */
 rot_status rot_incline_build(const rot_given given[], rot_store *store, void *built,
                              rot_refusal *refusal);
+/* rot_constraint.start_s */
 double rot_incline_start(const void *scene);
 
 #endif

@@ -6,40 +6,45 @@
 #include "ground/real.h"
 #include "ground/parallel.h"
 
-/* Rows between two polls: some milliseconds. */
+/* Rows between two polls: some ms. */
 enum { PART = 2048 };
 
-/* How a row moves. Without rolling resistance there are two segments at most. */
+/* Kind of motion of a row. Without rolling resistance it has at most two segments. */
 typedef enum kind {
   ROLLS,
-  LETS_GO,    /* at rest in the contact, which does not hold: it slips for good */
-  SLIPS,      /* all the time */
+  LETS_GO,    /* slip 0 at the start, breakaway exceeded: slips permanently */
+  SLIPS,      /* slips until the end */
   CATCHES,    /* slips, then rolls */
-  SLIPS_BACK, /* slips, then slips the other way for good */
-  OTHER,      /* rolling resistance, numbers out of range: the general way */
+  SLIPS_BACK, /* slips, then slips in the opposite direction */
+  OTHER,      /* rolling resistance, or numbers out of range: rot_incline_to() */
   KINDS
 } kind;
 
-/* A row: its scene, w0 = R omega0, the forces of the slope on 1 kg, the first slip. */
+/* A row: its scene, forces per kg, the first slip segment. */
 typedef struct row {
-  double beta, radius, mass, angle, gravity, mu_static, mu_kinetic, arm, v0, w0, omega0, time;
-  double sine, cosine, pull, slides, breakaway;
-  double slip, direction, rim, rate, inverse,
-      slip_s; /* of v - w: sign, rate, 1/|rate|, when it ends */
+  double beta, radius, mass, angle, gravity, mu_static, mu_kinetic, arm;
+  double v0, w0, omega0, time;    /* w0 = R omega0 */
+  double sine, cosine;            /* of the angle */
+  double pull, slides, breakaway; /* as in rot_incline_contact */
+  double slip, direction;         /* v0 - w0, its sign */
+  double rim;                     /* |rate of w| while slipping */
+  double rate, inverse;           /* of the slip; 1/|rate| */
+  double slip_s;                  /* time at which the slip reaches 0 */
 } row;
 
 static inline double larger(double x, double y) { return x > y ? x : y; } /* fmax() is a call */
 
 static inline double sign(double x) { return (double)((x > 0.0) - (x < 0.0)); }
 
-/* A speed and its path, with their errors in roundings. */
+/* A path and its speed, with their errors in units of ROT_EPS. */
 typedef struct mover {
   double path, speed, path_error, speed_error;
 } mover;
 
-/* `size` is the sum of the forces that make the rate, whose error is 6 of its roundings. */
+/* (path, speed, rate) => path, speed and their errors after s. size: sum of the |forces| in the
+ * rate, whose error is 6 ROT_EPS size. */
 static inline mover advance(mover from, double s, double rate, double size) {
-  /* s^2 may exceed the range where rate s^2 does not. */
+  /* s^2 may overflow where rate s^2 does not. */
   const double half = 0.5 * s, gain = rate * s, along = from.speed * s, step = along + gain * half;
   mover to;
   to.path = from.path + step;
@@ -55,13 +60,13 @@ static inline double figure(double error, double value, double other) {
   return size > 0.0 ? ROT_EPS * error / size : error > 0.0 ? 1.0 : 0.0;
 }
 
-/* Without branches that depend on the numbers, which the processor cannot guess: 67 ns for a row
- * among random ones, 79 with a branch at each question. */
+/* row => kind. Branch-free: mispredicted branches cost 12 ns per row (79 instead of 67 ns on random
+ * rows). */
 static inline kind kind_of(row *r) {
   static const unsigned char kinds[] = {SLIPS,   SLIPS, SLIPS_BACK, CATCHES,
                                         LETS_GO, ROLLS, LETS_GO,    ROLLS};
   const double need = fabs(r->beta / (1.0 + r->beta) * r->pull);
-  /* As rot_incline_holds(), without its division. */
+  /* rot_incline_holds() without its division. */
   const double steep = fabs(r->sine * r->cosine);
   const int breakaway =
       (need <= r->breakaway) |
@@ -79,8 +84,9 @@ static inline kind kind_of(row *r) {
   return (kind)kinds[4 * still + 2 * ends + breakaway];
 }
 
-/* 0 where the numbers leave their range. `how` is a constant where this is called. rot_incline_to()
- * takes 260 ns a row instead of 40: it knows events, resistance and copies of the state. */
+/* row => columns. Returns 0 if a number overflows, else 1. `how` is a compile-time constant of each
+ * call. rot_incline_to() takes 260 ns per row instead of 40: it handles events, resistance and
+ * copies of the state. */
 static inline int two_segments(kind how, const row *r, const rot_incline_table_columns *out,
                                size_t i) {
   const double spin = 1.0 / (1.0 + r->beta), own = r->beta * spin;
@@ -101,16 +107,16 @@ static inline int two_segments(kind how, const row *r, const rot_incline_table_c
     const double late = (2.0 * fabs(r->w0) + u + 8.0 * (size + rim) * s) * r->inverse + 2.0 * s;
     v = advance(v, s, r->pull - direction * r->slides, size);
     w = advance(w, s, direction * rim, rim);
-    if (rolling) { /* the mean of both does not feel the friction */
+    if (rolling) { /* the mean is independent of the friction */
       const double fractions = spin * fabs(r->v0) + own * fabs(r->w0);
       v.speed = w.speed = spin * r->v0 + own * r->w0 + mean_rate * s;
       v.speed_error = w.speed_error = 8.0 * (fractions + fabs(mean_rate) * s);
-      /* Paths are stationary where the slip ends: the error of that time counts twice. */
+      /* Paths are stationary in the time at which slip ends: its error enters squared. */
       const double again = 0.5 * ROT_EPS * fabs(r->rate) * late * late;
       v.path_error += again;
       w.path_error += again;
       roll_s = s;
-    } else { /* the friction turns: an error of the time changes what follows by its jump */
+    } else { /* the friction reverses: the time error acts with its jump */
       jump = 2.0 * late;
     }
     heat = r->mass * r->slides * (0.5 * s * u);
@@ -138,7 +144,7 @@ static inline int two_segments(kind how, const row *r, const rot_incline_table_c
     heat += r->mass * r->slides * (0.5 * left * fabs(slip + end));
   }
   const double theta = w.path / r->radius, omega = w.speed / r->radius;
-  /* Inf or NaN in any of them is one in the sum. */
+  /* Inf or NaN if any of them is. */
   const double all =
       fabs(v.path) + fabs(v.speed) + fabs(theta) + fabs(omega) + heat + v.path_error + w.path_error;
   if (!isfinite(all)) return 0;
@@ -158,7 +164,7 @@ static inline int two_segments(kind how, const row *r, const rot_incline_table_c
   return 1;
 }
 
-/* With beta in place of the moment of inertia. */
+/* row => parameters, with beta in place of the moment of inertia. */
 static inline rot_incline_params scene_of(const row *r) {
   return (rot_incline_params){.mass_kg = r->mass,
                               .radius_m = r->radius,
@@ -172,6 +178,7 @@ static inline rot_incline_params scene_of(const row *r) {
                               .omega0_rad_per_s = r->omega0};
 }
 
+/* row => columns by rot_incline_to(). */
 static void any_row(const row *r, const rot_incline_table_columns *out, size_t i) {
   rot_incline_params p = scene_of(r);
   p.inertia_kg_m2 = rot_product(4, (double[]){r->beta, r->mass, r->radius, r->radius}, 1.0);
@@ -195,7 +202,7 @@ typedef struct frame {
   const rot_incline_table_columns *out;
 } frame;
 
-/* Rows of a block are sorted by kind, and the rows of one kind done together. */
+/* Rows of a block are sorted by kind; those of one kind are processed together. */
 enum { BLOCK = 64 };
 
 static inline void rows_of(kind how, const row rows[], const unsigned char at[], size_t n,
@@ -206,6 +213,7 @@ static inline void rows_of(kind how, const row rows[], const unsigned char at[],
   }
 }
 
+/* rows first to last - 1 => columns. */
 static void table_rows(const void *data, size_t first, size_t last) {
   const frame *f = data;
   const rot_incline_table_columns out = *f->out;
@@ -247,7 +255,7 @@ static void table_rows(const void *data, size_t first, size_t last) {
         r->pull = r->gravity * sine;
         r->slides = rot_incline_friction(r->mu_kinetic, normal);
         r->breakaway = rot_incline_friction(r->mu_static, normal);
-        /* An infinite slip friction holds what rolls from the start. */
+        /* An infinite kinetic friction: the row rolls from the start. */
         if (r->arm == 0.0 && isfinite(r->slides)) how = kind_of(r);
       }
       at[how][count[how]++] = (unsigned char)k;

@@ -5,7 +5,7 @@
 #include "scene/incline/incline.h"
 #include "scene/incline/ode.h"
 
-/* Without gravity and drag the motion has no time of its own. */
+/* Without gravity and drag there is no time scale. */
 void rot_incline_time_scales(const void *of, const double sizes[], rot_time_scales *to) {
   const rot_incline_scene *scene = of;
   const rot_incline_params *p = &scene->slope;

@@ -8,25 +8,28 @@
 #include "ground/real.h"
 #include "scene/pivot/top_motion.h"
 
-/* The start in the top's axes, turned over where the weight hangs, so that G > 0. */
+/* The start in the top's axes, reversed if the weight hangs: G > 0. */
 typedef struct top {
   const rot_free_params *p;
-  int axis, hangs, nutates;
+  int axis;    /* of symmetry, 0 to 2 */
+  int hangs;   /* 1: axes reversed */
+  int nutates; /* 1: small nutation, 0: precession */
   double transverse, axial, weight;
   double u, s, phi, theta, psi;                /* u = cos(theta), s = sin(theta) */
   double phi_rate, theta_rate, omega3;         /* at the start */
   double a, beta;                              /* I3 w3/I1, 2 G/I1 */
   double b_minus_a, b_plus_a;                  /* phi' = (b - a u)/(1 - u^2) */
-  double rate;                                 /* of the short cut: G/(I3 w3) */
-  double low, high, period;                    /* exact: limits of u, period of the nutation */
+  double rate;                                 /* of the gyroscope: G/(I3 w3) */
+  double low, high, period;                    /* exact limits of u, period of the nutation */
   double mean_phi, mean_psi, fastest;          /* mean rates; largest |u'| */
-  double n, centre, sway, phi_slope, psi_turn; /* of small nutation: see the functions below */
+  double n, centre, sway, phi_slope, psi_turn; /* small nutation: see begin(), write_row() */
   const double *time_s;
   const rot_free_columns *out;
   rot_info *info;
 } top;
 
-/* ROT_EVALUE: no symmetric top, or no angles (at a pole). */
+/* parameters => constants of the approximation. ROT_EVALUE: no symmetric top, or the start at a
+ * pole. */
 static rot_status begin(const rot_free_params *p, int nutates, top *x) {
   static const double over[4] = {0.0, 1.0, 0.0, 0.0};
   const int k = rot_pivot_axis(p);
@@ -77,7 +80,7 @@ static rot_status begin(const rot_free_params *p, int nutates, top *x) {
     x->low = fmin(n.lowest_cosine, x->u);
     x->high = fmax(n.highest_cosine, x->u);
     x->period = n.period_s;
-    /* u'^2 = beta (u - u1)(u2 - u)(u3 - u), and beta (u3 - u1) = 4 lambda^2 */
+    /* u'^2 = beta (u - u1)(u2 - u)(u3 - u) with beta (u3 - u1) = 4 lambda^2 */
     x->fastest = ldexp(m.lambda.hi, m.exponent) * (x->high - x->low);
   }
   /* x = u - u(0): x'' = f1/2 - n^2 x + ... */
@@ -109,7 +112,7 @@ const char *rot_pivot_not_spinning(const rot_free_params *p) {
 
 /* ---- bounds ---------------------------------------------------------------------------------- */
 
-/* The limits of phi' between two values of u: of each of its two terms, which are monotone. */
+/* Limits of phi' for u in [low, high]: sum of those of its two terms, which are monotonic. */
 static void phi_rates(const top *x, double low, double high, double *min, double *max) {
   const double a = x->b_minus_a / (1.0 - low), b = x->b_minus_a / (1.0 - high);
   const double c = x->b_plus_a / (1.0 + low), d = x->b_plus_a / (1.0 + high);
@@ -117,17 +120,18 @@ static void phi_rates(const top *x, double low, double high, double *min, double
   *max = 0.5 * (fmax(a, b) + fmax(c, d));
 }
 
-/* The limits of the sine between two values of the cosine. */
+/* Limits of the sine for a cosine in [low, high]. */
 static void sines(double low, double high, double *min, double *max) {
   const double a = sqrt((1.0 - low) * (1.0 + low)), b = sqrt((1.0 - high) * (1.0 + high));
   *min = fmin(a, b);
   *max = low < 0.0 && high > 0.0 ? 1.0 : fmax(a, b);
 }
 
-/* Errors until |t|, of the attitude and of omega. An attitude whose Euler angles err by (phi,
- * theta, psi) is off by at most |theta| + hypot(s phi, u phi + psi). What swings about a mean rate
- * and is even in time about its turning points leaves the mean by at most a quarter of the period
- * times its largest deviation, from there, or twice that from anywhere. */
+/* Bounds of the errors of attitude and omega up to |t|. Errors (phi, theta, psi) of the Euler
+ * angles rotate the attitude by at most |theta| + hypot(s phi, u phi + psi). An angle with a
+ * periodic rate that is even in time about the turning points differs from its mean motion by at
+ * most a quarter period times the largest deviation of the rate if it starts there, and by twice
+ * that from any other start. */
 static void precession_errors(const top *x, double t, double *attitude, double *omega) {
   double min, max, s_min, s_max;
   const double reach = fmax(x->high - x->u, x->u - x->low), time = fabs(t);
@@ -148,9 +152,9 @@ static void precession_errors(const top *x, double t, double *attitude, double *
            fabs(x->rate) * x->s * fmin(2.0, psi_off);
 }
 
-/* The error e of u obeys e'' = -n^2 e + 3/2 beta x^2: with X the largest |x|, |e| is at most
- * 3/2 beta X^2 t/n, and its integral 3 beta X^2 t/n^2. Second derivatives of phi' and u phi' by u
- * are at most |b - a|/(1 - u)^3 + |b + a|/(1 + u)^3. */
+/* The error e of u satisfies e'' = -n^2 e + 3/2 beta x^2. With X = max |x|: |e| <= 3/2 beta X^2
+ * t/n, and its integral is at most 3 beta X^2 t/n^2. The second derivatives of phi' and u phi' with
+ * respect to u are at most |b - a|/(1 - u)^3 + |b + a|/(1 + u)^3. */
 static void nutation_errors(const top *x, double t, double *attitude, double *omega) {
   const double wave = hypot(x->centre, x->sway), about = fabs(x->centre) + wave;
   const double low = fmin(x->low, x->u - about), high = fmax(x->high, x->u + about);
@@ -182,7 +186,7 @@ static void errors_at(const top *x, double t, double *attitude, double *omega) {
   } else {
     precession_errors(x, t, attitude, omega);
   }
-  /* rounding of the angles, and of phi' as a difference of terms */
+  /* rounding of the angles, and of phi' by cancellation */
   const double turned = (fabs(x->omega3) + fabs(x->a) / (x->s * x->s)) * fabs(t);
   *attitude += 16.0 * ROT_EPS * (4.0 + turned);
   *omega += 16.0 * ROT_EPS * (fabs(x->omega3) + fabs(x->a) / x->s);
@@ -208,6 +212,7 @@ double rot_pivot_nutation_bound(const rot_free_params *p, double t) { return bou
 
 /* ---- rows ------------------------------------------------------------------------------------ */
 
+/* (constants, i) => row i, its errors. */
 static rot_status write_row(void *model, size_t i) {
   static const double back_over[4] = {0.0, -1.0, 0.0, 0.0};
   const top *x = model;

@@ -1,29 +1,30 @@
-/* Approximations of the heavy symmetric top, with bounds on what they leave out.
+/* Approximations of the heavy symmetric top, with error bounds.
  *
- *   precession   the gyroscope: the axis keeps its angle and goes round at G/(I3 w3), torque over
- *                the angular momentum of the spin
- *   nutation     and small nutation: u = cos(theta) swings as the equation linear in u - u(0) says,
- *                phi and psi follow to first order
+ *   precession   gyroscope: theta is constant, phi' = G/(I3 w3) (torque over spin angular momentum)
+ *   nutation     small nutation: equation of motion of u = cos(theta) linearised at u(0), phi and
+ *                psi to first order
  *
- * The angles are those of z-x-z. Bounds use the exact motion's limits of u, its period and its mean
- * rates (scene/pivot/top_motion.h). They grow with time; near the poles there is none. */
+ * Euler angles z-x-z. The bounds use the exact limits of u, period and mean rates
+ * (scene/pivot/top_motion.h). They grow with time; near the poles there is none. */
 #ifndef ROT_PIVOT_APPROX_H
 #define ROT_PIVOT_APPROX_H
 
 #include "scene/free/free.h"
 
-/* NULL, or why they do not apply. */
+/* parameters => NULL, or why the approximations do not apply. */
 const char *rot_pivot_not_spinning(const rot_free_params *p);
 
-/* Bound on the relative error, the worst of the measures, until |t| seconds from the start. Inf
- * where there is none. */
+/* (parameters, t) => bound of the relative errors of all measures up to |t| seconds from the start;
+ * Inf: none. */
 double rot_pivot_precession_bound(const rot_free_params *p, double t);
+/* The same of small nutation. */
 double rot_pivot_nutation_bound(const rot_free_params *p, double t);
 
-/* Rows as rot_free_exact() writes them, without events. */
+/* (parameters, times) => rows as rot_free_exact(), without events. */
 rot_status rot_pivot_precession(const rot_free_params *p, size_t n, const double time_s[],
                                 const rot_free_columns *out, rot_events *events,
                                 const rot_hooks *hooks, rot_info *info);
+/* The same of small nutation. */
 rot_status rot_pivot_small_nutation(const rot_free_params *p, size_t n, const double time_s[],
                                     const rot_free_columns *out, rot_events *events,
                                     const rot_hooks *hooks, rot_info *info);

@@ -26,7 +26,7 @@ const rot_input rot_pivot_inputs[ROT_PIVOT_INPUTS] = {
      "acceleration of gravity, against z", NULL},
     ROT_FREE_COMMON_INPUTS};
 
-/* About the fixed point, from a body that knows its own mass and centre. */
+/* body with mass and centre => moments and lever about the fixed point. */
 static rot_status about_pivot(const rot_given given[], rot_free_built *built, rot_refusal *no) {
   const rot_given_body *body = &given[BODY].body;
   double pivot[3], moved[ROT_TENSOR], inertia[ROT_TENSOR];
@@ -51,6 +51,7 @@ static rot_status about_pivot(const rot_given given[], rot_free_built *built, ro
   return rot_refuse(no, BODY, "must have finite principal moments");
 }
 
+/* A body with its own mass and centre, or moments about the fixed point with mass and centre. */
 rot_status rot_pivot_build(const rot_given given[], rot_store *store, void *to, rot_refusal *no) {
   rot_free_built *built = to;
   rot_free_params *p = &built->params;

@@ -21,7 +21,7 @@ typedef struct along {
   const rot_hooks *hooks;
 } along;
 
-/* Gravity's torque at n times, r x F with F along -z: two numbers each. */
+/* n times => torque of gravity r x F, F along -z: two numbers per time. */
 static rot_status torques(size_t n, const double time_s[], double value[], void *ctx) {
   const along *a = ctx;
   const size_t columns = ROT_FREE_OWN_COLUMNS + 2 * a->p->n_rotors;
@@ -46,8 +46,8 @@ static rot_status torques(size_t n, const double time_s[], double value[], void 
   return status;
 }
 
-/* The ends of the panels: the start, the rows, and what divides the time between them so that none
- * turns by more than a radian. Returns their count. */
+/* (start, rows, rate) => ends of the integration panels: start, rows, and divisions such that no
+ * panel turns by more than 1 rad. Returns their number. */
 static size_t edges_of(double start_s, const rot_task *task, double rate, double edge[]) {
   const size_t n = task->n;
   double span = 0.0;
@@ -69,7 +69,7 @@ static size_t edges_of(double start_s, const rot_task *task, double rate, double
   return at;
 }
 
-/* Sums from the start on, to the rows. */
+/* integrals of the panels => integrals since the start, at the rows. */
 static void add_up(const rot_panels *panels, double start_s, const rot_task *task,
                    const rot_rows *rows) {
   for (size_t k = 0; k < 2; k++) {
@@ -128,13 +128,14 @@ rot_status rot_pivot_flows(rot_free_rows_of *form, const rot_free_params *p, con
   return status;
 }
 
-/* ---- what stays ------------------------------------------------------------------------------ */
+/* ---- conserved quantities -------------------------------------------------------------------- */
 
 static int weighs(const rot_free_params *p) {
   return p->lever_n_m[0] != 0.0 || p->lever_n_m[1] != 0.0 || p->lever_n_m[2] != 0.0;
 }
 
-/* Gravity is vertical: the vertical component stays, and the sum of the energies. */
+/* Gravity is vertical: the vertical component of the angular momentum and the total energy are
+ * conserved. */
 size_t rot_pivot_conserved(const void *scene, size_t balance, const char *why[]) {
   const rot_free_params *p = scene;
   const int acts = p->law || p->n_knots || p->damping_per_s != 0.0 || p->torque[0] != 0.0 ||

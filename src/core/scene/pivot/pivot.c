@@ -7,7 +7,7 @@
 #include "engine/stepping.h"
 #include "scene/pivot/top_motion.h"
 
-/* Moments across the axis are the same within their rounding. */
+/* Tolerance on the difference of the moments across the axis: their rounding. */
 #define ALIKE (16.0 * ROT_EPS)
 
 const double rot_pivot_turns[3][4] = {
@@ -25,7 +25,7 @@ int rot_pivot_axis(const rot_free_params *p) {
   return -1;
 }
 
-/* Whether all rotors lie along axis k. */
+/* 1 if all rotors are along axis k, else 0. */
 static int along(const rot_free_rotors *r, int k) {
   const double max = r->p->turned ? 8.0 * ROT_EPS : 0.0;
   for (size_t i = 0; i < r->n; i++) {
@@ -63,14 +63,15 @@ typedef struct run {
   const rot_free_params *p;
   rot_top_motion motion;
   rot_free_rotors rotors;
-  int axis;       /* of symmetry; the top's axes 1, 2, 3 are axis + 1, axis + 2, axis (modulo 3) */
+  int axis;       /* of symmetry, 0 to 2; top's axes 1, 2, 3: axis + 1, axis + 2, axis (mod 3) */
   double turn[4]; /* v_principal = turn v_top turn* */
   const double *time_s;
   const rot_free_columns *out;
   rot_info *info;
 } run;
 
-/* The start of the top: q turn, exactly (halves of sums, in twice the precision). */
+/* (omega, q) in principal axes => initial state of the top: q turn, exact (halves of sums, in twice
+ * the precision). */
 static void begin_start(const run *r, const double omega[3], const double q[4],
                         rot_top_start *out) {
   static const int at[4][4] = {{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}};
@@ -80,13 +81,14 @@ static void begin_start(const run *r, const double omega[3], const double q[4],
   for (int i = 0; i < 4; i++) {
     rot_dd sum = {0.0, 0.0};
     for (int j = 0; j < 4; j++) {
-      /* component i: q_j times the component at[i][j] of the turn, or the reverse */
+      /* component i: sum of q_j times component at[i][j] of the turn, or the reverse */
       sum = rot_dd_add1(sum, sign[i][j] * r->turn[j] * q[at[i][j]]);
     }
     out->q[i] = sum;
   }
 }
 
+/* parameters => motion, rotors, errors of the start. */
 static rot_status begin(const rot_free_params *p, run *r) {
   const int k = rot_pivot_axis(p);
   double omega[3], q[4];
@@ -96,7 +98,7 @@ static rot_status begin(const rot_free_params *p, run *r) {
   if (p->n_rotors && (rot_free_rotors_begin(p, &r->rotors) || !along(&r->rotors, k))) {
     return ROT_EVALUE;
   }
-  for (size_t i = 0; i < p->n_rotors; i++) { /* their speeds are constant, as omega3 is */
+  for (size_t i = 0; i < p->n_rotors; i++) { /* with constant speeds, like omega3 */
     const rot_free_rotor *one = &p->rotors[i];
     const rot_dd spin = rot_dd_mul2(one->moment_kg_m2, one->omega_rad_per_s);
     wheels = rot_dd_add(wheels, r->rotors.axis[i][k] < 0.0 ? rot_dd_neg(spin) : spin);
@@ -113,7 +115,7 @@ static rot_status begin(const rot_free_params *p, run *r) {
   const rot_status status =
       rot_top_begin_wheels(a, p->moment_kg_m2[k], weight, wheels, &start, given, &r->motion);
   if (status != ROT_OK) return status;
-  /* The attitude is four rounded numbers. A turn about the vertical changes no rate. */
+  /* The attitude is rounded in four components. A rotation about the vertical changes no rate. */
   for (int i = 0; i < 4; i++) {
     rot_top_motion other;
     double near[4] = {q[0], q[1], q[2], q[3]};
@@ -152,7 +154,7 @@ static rot_status write_row(void *model, size_t i) {
   return rot_free_rotors_write(&r->rotors, omega, q, r->rotors.start, i, r->out);
 }
 
-/* The times at which lambda t + start is a multiple of K. */
+/* motion => events at the times where lambda t + start is a multiple of K. */
 static rot_status log_turns(const run *r, size_t n, const double time_s[], rot_events *events) {
   const rot_top_motion *m = &r->motion;
   if (!n || m->weightless || m->steady || m->jacobi.m1 == 0.0) return ROT_OK;

@@ -7,8 +7,8 @@
 
 static const double pi = 0x1.921fb54442d18p+1;
 
-/* e/(1 + sqrt(1 - e))^2 with e = 4 I1 G cos/(I3 omega3)^2: what the formula lacks of the slow rate,
- * in parts of the formula, (slow - formula)/formula; relative to the slow rate it is x/(1 + x). */
+/* Error of the formula, (slow - formula)/formula: x = e/(1 + sqrt(1 - e))^2 with e = 4 I1 G cos/(I3
+ * omega3)^2. Relative to the slow rate it is x/(1 + x). */
 static double formula_error(double i1, double weight, double cosine, double momentum) {
   if (cosine == 0.0 || weight == 0.0) return 0.0;
   const double e = 4.0 * (i1 / momentum) * (weight / momentum) * cosine;
@@ -33,6 +33,7 @@ static void release(const rot_precession_input *in, double weight, rot_precessio
   out->mean_rad_per_s = n.precession_rad / n.period_s;
 }
 
+/* Formula, steady rates, and nutation of a release from rest if the transverse moment is known. */
 rot_precession rot_precession_of(const rot_precession_input *in) {
   rot_precession out = {NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN, NAN};
   const double cosine = rot_sin_deg(90.0 - fabs(in->angle_deg));
@@ -44,7 +45,7 @@ rot_precession rot_precession_of(const rot_precession_input *in) {
   out.momentum_kg_m2_per_s = momentum;
   out.rate_rad_per_s = weight / in->axial_kg_m2 / in->spin_rad_per_s;
   out.period_s = fabs(2.0 * pi / out.rate_rad_per_s);
-  if (cosine == 0.0) { /* the formula is exact, whatever the other moment */
+  if (cosine == 0.0) { /* the formula is exact for any transverse moment */
     out.slow_rad_per_s = out.rate_rad_per_s;
     out.error = 0.0;
   }

@@ -9,7 +9,7 @@
 
 /* ---- columns --------------------------------------------------------------------------------- */
 
-enum { POTENTIAL = ROT_FREE_ALL_COLUMNS, INCLINATION }; /* after those of free bodies */
+enum { POTENTIAL = ROT_FREE_ALL_COLUMNS, INCLINATION }; /* following those of free bodies */
 
 int rot_pivot_shows(const void *scene, size_t column) {
   return column >= ROT_FREE_ALL_COLUMNS || rot_free_shows(scene, column);
@@ -30,7 +30,7 @@ static void fill_columns(const rot_free_params *p, size_t n, void *const column[
 
 /* ---- runs ------------------------------------------------------------------------------------ */
 
-/* Heavy: gravity's part in the flows of a closed form. */
+/* Closed forms with gravity: rows, potential energy, flows of gravity. */
 static rot_status run_heavy(rot_free_rows_of *form, const void *scene, const rot_task *task,
                             const rot_rows *rows, const rot_hooks *hooks, rot_info *info) {
   rot_status status = rot_free_run_closed(form, scene, task, rows, hooks, info);

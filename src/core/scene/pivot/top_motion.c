@@ -35,21 +35,21 @@ void rot_top_from_euler(double phi, double theta, double psi, double phi_rate, d
   out->omega[2] = (rot_dd){omega3, 0.0};
 }
 
-/* What the motion is made of, in its unit of time. */
+/* Constants during the set-up, in the unit of time of the motion. */
 typedef struct setup {
   rot_dd q[4], omega[3];
-  rot_dd wheels;      /* their angular momentum */
+  rot_dd wheels;      /* angular momentum of the wheels */
   rot_dd a, beta;     /* L3/I1 with L3 = I3 omega3 + wheels, 2 G/I1 > 0 */
   rot_dd down, up;    /* 1 - u and 1 + u at the start */
-  rot_dd minus, plus; /* b - a, b + a, with b the momentum about the vertical over I1 */
+  rot_dd minus, plus; /* b - a, b + a; b: vertical angular momentum over I1 */
   rot_dd rise;        /* u' at the start */
-  rot_dd x[3];        /* the zeros of u'^2, less u at the start */
+  rot_dd x[3];        /* zeros of u'^2 minus u at the start */
   rot_dd above, below, swing, m, m1;
 } setup;
 
 static int finite_dd(rot_dd x) { return isfinite(x.hi) && isfinite(x.lo); }
 
-/* q of length 1, and of the exponents that it and the rates may have. */
+/* Normalises q. Returns 0 if q or its exponents are out of range, else 1. */
 static int unit(rot_dd q[4]) {
   int e;
   rot_dd sum = none;
@@ -66,7 +66,7 @@ static int unit(rot_dd q[4]) {
   return 1;
 }
 
-/* Turns the body's axes 2 and 3 over. */
+/* Reverses body axes 2 and 3. */
 static void turn_over(rot_dd q[4], rot_dd omega[3]) {
   const rot_dd p[4] = {rot_dd_neg(q[1]), q[0], q[3], rot_dd_neg(q[2])};
   memcpy(q, p, sizeof p);
@@ -74,7 +74,7 @@ static void turn_over(rot_dd q[4], rot_dd omega[3]) {
   omega[2] = rot_dd_neg(omega[2]);
 }
 
-/* A quotient of numbers of any size: m 2^*e, m near 1. */
+/* a/b without overflow: m 2^*e, m near 1. */
 static rot_dd quotient(rot_dd a, double b, int *e) {
   int ea, eb;
   const double mb = frexp(b, &eb);
@@ -91,7 +91,7 @@ static rot_dd cubic(const rot_dd c[3], rot_dd x, rot_dd *slope) {
   return rot_dd_add(rot_dd_mul(mid, x), c[0]);
 }
 
-/* Both zeros of x^2 - sum x + product, real; ascending. */
+/* (sum, product) => both real zeros of x^2 - sum x + product, ascending. */
 static void quadratic(rot_dd sum, rot_dd product, rot_dd *low, rot_dd *high) {
   const rot_dd width = root(rot_dd_sub(square(sum), rot_dd_ldexp(product, 2)));
   const int up = sum.hi >= 0.0;
@@ -101,10 +101,10 @@ static void quadratic(rot_dd sum, rot_dd product, rot_dd *low, rot_dd *high) {
   *high = up ? far : near;
 }
 
-/* x^3 + c2 x^2 + c1 x + c0 with the zeros x[0] <= 0 <= x[1] <= x[2]. One by Newton's method from
- * the trigonometric formula, the one that stands alone; the others from their sum and product. */
+/* Zeros x[0] <= 0 <= x[1] <= x[2] of x^3 + c2 x^2 + c1 x + c0. The isolated one: Newton's method
+ * from the trigonometric formula; the others: from their sum and product. */
 static void zeros(const rot_dd c[3], rot_dd x[3]) {
-  if (c[0].hi == 0.0) { /* it starts at a turning point */
+  if (c[0].hi == 0.0) { /* the start is a turning point */
     rot_dd low, high;
     quadratic(rot_dd_neg(c[2]), c[1], &low, &high);
     x[0] = low.hi <= 0.0 ? low : none;
@@ -120,7 +120,7 @@ static void zeros(const rot_dd c[3], rot_dd x[3]) {
   const double cosine = r > 0.0 ? fmax(-1.0, fmin(1.0, -0.5 * q / r / r / r)) : 1.0;
   const double angle = acos(cosine) / 3.0;
   const double high = third + 2.0 * r * cos(angle), low = third - 2.0 * r * cos(pi / 3.0 - angle);
-  const int lonely_high = angle < pi / 6.0; /* the middle one is nearer to the low one */
+  const int lonely_high = angle < pi / 6.0; /* the middle zero is closer to the low one */
   rot_dd z = {lonely_high ? fmax(high, 0.0) : fmin(low, 0.0), 0.0};
   for (int i = 0; i < 60; i++) {
     rot_dd slope;
@@ -132,7 +132,7 @@ static void zeros(const rot_dd c[3], rot_dd x[3]) {
   }
   /* x^2 + (c2 + z) x - c0/z */
   const rot_dd product = rot_dd_neg(rot_dd_div(c[0], z));
-  /* The sum by the coefficient of x, which does not cancel where z is the largest. */
+  /* Sum of the other two by c1: no cancellation if |z| is the largest. */
   const rot_dd by_c1 = rot_dd_div(rot_dd_sub(c[1], product), z);
   const rot_dd by_c2 = rot_dd_neg(rot_dd_add(c[2], z));
   const double loss1 = (fabs(c[1].hi) + fabs(product.hi)) / fabs(z.hi);
@@ -150,8 +150,8 @@ static void zeros(const rot_dd c[3], rot_dd x[3]) {
   if (x[2].hi < x[1].hi) x[2] = x[1];
 }
 
-/* u'^2 = beta (x - x0)(x - x1)(x - x2), x = u - u(0). The coefficients are sums of numbers at the
- * start, so that none cancels next to a turning point. */
+/* u'^2 = beta (x - x0)(x - x1)(x - x2), x = u - u(0). The coefficients are expressed by values at
+ * the start: no cancellation next to a turning point. */
 static void find_zeros(setup *s) {
   const rot_dd u0 = rot_dd_ldexp(rot_dd_sub(s->up, s->down), -1);
   const rot_dd across = rot_dd_add(square(s->omega[0]), square(s->omega[1]));
@@ -165,7 +165,7 @@ static void find_zeros(setup *s) {
   zeros(c, s->x);
 }
 
-/* Of two roots with a known product, this one: the smaller as product / larger. */
+/* (root, other root, product) => root; the smaller one as product / larger. */
 static rot_dd lesser(rot_dd direct, rot_dd other, rot_dd product) {
   if (direct.hi > other.hi && direct.hi > 0.0) return direct;
   return other.hi > 0.0 ? rot_dd_div(product, other) : none;
@@ -188,8 +188,8 @@ static void find_range(setup *s) {
 
 /* ---- the angles ------------------------------------------------------------------------------ */
 
-/* The part of the angle that repeats: the integral of g/(1 + part sn^2) less its mean, over lambda,
- * at |u| <= K. */
+/* Periodic part of the angle at argument |u| <= K: integral of g/(1 + part sn^2) minus its mean,
+ * over lambda. */
 static double swing_of(const rot_top_motion *m, const rot_top_angle *angle, double u, double sn,
                        double cn, double dn, double *rounding) {
   const double by = angle->g / m->lambda.hi, s3 = sn * sn * sn / 3.0;
@@ -212,7 +212,7 @@ static double swing_of(const rot_top_motion *m, const rot_top_angle *angle, doub
   return by / by_root * (turn + factor * (x - y));
 }
 
-/* E/K, by the arithmetic-geometric mean. */
+/* E/K by the arithmetic-geometric mean. */
 static rot_dd complete_ratio(rot_dd m1) {
   rot_dd a = one, g = rot_dd_sqrt(m1), sum = rot_dd_ldexp(rot_dd_sub(one, m1), -1);
   for (int i = 0; i < 30 && fabs(a.hi - g.hi) > 0x1p-54 * a.hi; i++) {
@@ -224,9 +224,9 @@ static rot_dd complete_ratio(rot_dd m1) {
   return rot_dd_sub(one, sum);
 }
 
-/* The mean of 1/(1 - n sn^2), n = 1 - p. Where p is small, the sum of rot_jacobi_mean() cancels;
- * there it is 1 + pi/(2 K) sqrt(n/(p (n - m))) (1 - Lambda0), with Heuman's function of the angle
- * whose sine is x = sqrt(p/m1) (Abramowitz & Stegun 17.7.14). */
+/* Mean of 1/(1 - n sn^2), n = 1 - p, for small p, where the sum of rot_jacobi_mean() cancels: 1 +
+ * pi/(2 K) sqrt(n/(p (n - m))) (1 - Lambda0), Heuman's function of the angle with the sine x =
+ * sqrt(p/m1) (Abramowitz & Stegun 17.7.14). */
 static rot_dd mean_of_peaks(const rot_jacobi *jacobi, rot_dd m1, rot_dd p) {
   enum { TERMS = 13 };
   static const rot_dd half_pi = {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
@@ -240,7 +240,7 @@ static rot_dd mean_of_peaks(const rot_jacobi *jacobi, rot_dd m1, rot_dd p) {
   for (int k = 1; k < TERMS; k++) {
     c[k] = rot_dd_div(rot_dd_mul1(c[k - 1], 2.0 * k - 1.0), (rot_dd){2.0 * k, 0.0});
   }
-  for (int k = 0; k < TERMS; k++) { /* of 1/sqrt((1 - y)(1 - m1 y)) */
+  for (int k = 0; k < TERMS; k++) { /* series of 1/sqrt((1 - y)(1 - m1 y)) */
     rot_dd a = none;
     for (int j = k; j >= 0; j--) a = rot_dd_add(rot_dd_mul(a, m1), rot_dd_mul(c[k - j], c[j]));
     a = rot_dd_mul(a, power);
@@ -248,7 +248,7 @@ static rot_dd mean_of_peaks(const rot_jacobi *jacobi, rot_dd m1, rot_dd p) {
     third = rot_dd_add(third, rot_dd_div(a, (rot_dd){2.0 * k + 3.0, 0.0}));
     power = rot_dd_mul(power, y);
   }
-  /* F and (F - E)/m1 of the angle, over x */
+  /* F and (F - E)/m1 of the angle, divided by x */
   third = rot_dd_mul(third, y);
   const rot_dd inside = rot_dd_sub(rot_dd_mul(complete_ratio(m1), first), rot_dd_mul(m1, third));
   const rot_dd rest = rot_dd_sub(rot_dd_div(half_pi, jacobi->k), rot_dd_mul(x, inside));
@@ -256,8 +256,9 @@ static rot_dd mean_of_peaks(const rot_jacobi *jacobi, rot_dd m1, rot_dd p) {
   return rot_dd_add(one, rot_dd_mul(peak, rest));
 }
 
-/* An angle of rate even + g/(1 + part sn^2), whole = 1 + part. Where part is large, next to the
- * lower pole, the integral is an arc tangent and another of the third kind (DLMF 19.7(iii)). */
+/* Sets up an angle with the rate even + g/(1 + part sn^2), whole = 1 + part. Large part (next to
+ * the lower pole): the integral is an arc tangent plus another integral of the third kind (DLMF
+ * 19.7(iii)). */
 static void begin_angle(const setup *s, const rot_jacobi *jacobi, rot_dd even, rot_dd g,
                         rot_dd part, rot_dd whole, rot_top_angle *out) {
   rot_dd rate = none;
@@ -290,6 +291,7 @@ static void begin_angle(const setup *s, const rot_jacobi *jacobi, rot_dd even, r
   out->size = fabs(even.hi) + fabs(rate.hi);
 }
 
+/* Sum and difference of phi and psi from the constants. */
 static void begin_angles(const setup *s, rot_dd spin, rot_top_motion *out) {
   const rot_dd bottom = rot_dd_add(s->below, s->swing); /* 1 + u2 */
   const rot_dd top = rot_dd_add(s->above, s->swing);    /* 1 - u1 */
@@ -318,17 +320,17 @@ static void begin_angles(const setup *s, rot_dd spin, rot_top_motion *out) {
 
 /* ---- set-up ---------------------------------------------------------------------------------- */
 
-/* Half angles at the start. At a pole, where one of them is of no consequence, that of the motion
- * that leaves it. */
+/* Half angles at the start. At a pole one of them is undetermined: take that of the motion leaving
+ * the pole. */
 static void begin_halves(const setup *s, rot_top_motion *out) {
   const double q[4] = {s->q[0].hi, s->q[1].hi, s->q[2].hi, s->q[3].hi};
   const double w1 = s->omega[0].hi, w2 = s->omega[1].hi;
   double a[2] = {q[0], q[3]}, b[2] = {q[1], q[2]};
-  if (b[0] == 0.0 && b[1] == 0.0) { /* upright; it leaves with cn < 0 */
+  if (b[0] == 0.0 && b[1] == 0.0) { /* upright: leaves with cn < 0 */
     b[0] = -(a[0] * w1 - a[1] * w2);
     b[1] = -(a[0] * w2 + a[1] * w1);
   }
-  if (a[0] == 0.0 && a[1] == 0.0) { /* upside down; it leaves with sn > 0 */
+  if (a[0] == 0.0 && a[1] == 0.0) { /* upside down: leaves with sn > 0 */
     a[0] = -(b[0] * w1 + b[1] * w2);
     a[1] = -(b[1] * w1 - b[0] * w2);
   }
@@ -339,6 +341,7 @@ static void begin_halves(const setup *s, rot_top_motion *out) {
   }
 }
 
+/* Set-up of a motion with nutation: elliptic functions, argument and angles at the start. */
 static void begin_moving(setup *s, rot_dd spin, rot_top_motion *out) {
   double sn, cn, dn;
   find_zeros(s);
@@ -372,6 +375,7 @@ static void begin_moving(setup *s, rot_dd spin, rot_top_motion *out) {
       swing_of(out, &out->difference, out->start.hi, sn, cn, dn, &out->difference.rounding);
 }
 
+/* (moments, weight, constants) => motion: unit of time, zeros of u'^2, kind of motion. */
 static rot_status begin_scaled(double i1, double i3, rot_dd weight, setup *s, rot_top_motion *out) {
   int e_ratio, e_beta;
   const rot_dd ratio = i3 > 0.0 ? quotient((rot_dd){i3, 0.0}, i1, &e_ratio) : none;
@@ -427,6 +431,7 @@ rot_status rot_top_begin(double i1, double i3, double weight, const rot_top_star
   return rot_top_begin_wheels(i1, i3, (rot_dd){weight, 0.0}, none, start, given, out);
 }
 
+/* Checks the domain; reverses axes 2 and 3 if G < 0; free motion if G = 0. */
 rot_status rot_top_begin_wheels(double i1, double i3, rot_dd weight, rot_dd wheels,
                                 const rot_top_start *start, double given, rot_top_motion *out) {
   setup s;
@@ -455,7 +460,8 @@ rot_status rot_top_begin_wheels(double i1, double i3, rot_dd weight, rot_dd whee
   return begin_scaled(i1, i3, weight, &s, out);
 }
 
-/* Where the two pass a pole on different sides, the angles differ by whole turns a nutation. */
+/* Difference of the rates. Motions passing a pole on different sides differ by whole turns per
+ * nutation: not counted. */
 static double rate_gap(rot_dd a, rot_dd b, double period) {
   const double rate = rot_dd_sub(a, b).hi;
   return isfinite(period) && period > 0.0 ? fabs(remainder(rate * period, 2.0 * pi)) / period
@@ -466,7 +472,7 @@ void rot_top_differ(rot_top_motion *m, const rot_top_motion *other) {
   if (m->weightless || other->weightless) return;
   const int both = !m->steady && !other->steady;
   const double by = ldexp(1.0, other->exponent - m->exponent);
-  rot_top_motion o = *other; /* in the unit of time of m */
+  rot_top_motion o = *other; /* converted to the unit of time of m */
   o.sum.rate = rot_dd_mul1(o.sum.rate, by);
   o.difference.rate = rot_dd_mul1(o.difference.rate, by);
   const double period = m->steady ? INFINITY : 2.0 * m->jacobi.k.hi / m->lambda.hi;
@@ -480,16 +486,16 @@ void rot_top_differ(rot_top_motion *m, const rot_top_motion *other) {
 
 /* ---- the motion ------------------------------------------------------------------------------ */
 
-/* (c, s) times the rotation by half of an angle. */
+/* (cosine, sine) rotated by half of an angle. */
 static void turned(const double from[2], double angle, double to[2]) {
   const double c = cos(0.5 * angle), s = sin(0.5 * angle);
   to[0] = from[0] * c - from[1] * s;
   to[1] = from[0] * s + from[1] * c;
 }
 
-/* How the angle theta stands and moves. */
+/* State of theta. */
 typedef struct tilt {
-  double up, down;         /* cos(theta/2), sin(theta/2), one of them negative past a pole */
+  double up, down;         /* cos(theta/2), sin(theta/2), one of them negative beyond a pole */
   double rate, precession; /* theta', phi' sin(theta) */
 } tilt;
 
@@ -507,7 +513,7 @@ static tilt tilt_now(const rot_top_motion *m, double sn, double cn, double dn) {
   return now;
 }
 
-/* A start that stays at its angle. */
+/* Steady motion: theta of the start. */
 static tilt tilt_steady(const rot_top_motion *m) {
   const double down = hypot(m->hangs ? m->q0[0] : m->q0[1], m->hangs ? m->q0[3] : m->q0[2]);
   const double up = hypot(m->hangs ? m->q0[1] : m->q0[0], m->hangs ? m->q0[2] : m->q0[3]);
@@ -517,6 +523,7 @@ static tilt tilt_steady(const rot_top_motion *m) {
   return now;
 }
 
+/* (theta, sum, difference) => attitude, angular velocity. */
 static void put_state(const rot_top_motion *m, const tilt *now, double sum, double difference,
                       rot_top_state *out) {
   double s[2], d[2];
@@ -542,14 +549,16 @@ static void put_state(const rot_top_motion *m, const tilt *now, double sum, doub
   for (int i = 0; i < 3; i++) w[i] = rot_ldexp(w[i], m->exponent);
 }
 
-/* What is not even of the rate of an angle; *width: how far in the argument it is as steep. */
+/* Deviation of the rate of an angle from its mean. *width: reduced to the width of the peak of the
+ * rate, in the argument. */
 static double unsteadiness(const rot_top_angle *angle, double even, double sn, double *width) {
   const double whole = angle->part < 0.0 ? angle->whole : 1.0 / angle->whole;
   *width = fmin(*width, sqrt(whole));
   return angle->g / (1.0 + angle->part * sn * sn) + (even - angle->rate.hi);
 }
 
-/* What errors of the argument, of the rates and of the functions do. sn: of the argument. */
+/* Error bounds of the state, from errors of the argument, the rates and the functions. sn: of the
+ * argument. */
 static void judge(const rot_top_motion *m, rot_dd t, double u, double turns, double sn,
                   const tilt *now, double rounding, rot_top_state *out) {
   const double time = fabs(t.hi), m1 = m->jacobi.m1, up = fabs(now->up), down = fabs(now->down);
@@ -563,7 +572,7 @@ static void judge(const rot_top_motion *m, rot_dd t, double u, double turns, dou
   const double psi = time * (m->sum_error + m->difference_error);
   const double known =
       2.0 * m->rate * (q - time * (m->sum_error * up + m->difference_error * down)) + across * psi;
-  double turn = 0.0, speed = 0.0; /* by the argument */
+  double turn = 0.0, speed = 0.0; /* due to the error of the argument */
   if (!m->steady) {
     const double modulus = m->m1_loss + m->given * (m1 > 0.0 ? 16.0 / m1 : 16.0);
     double width = 1e-3, du = m->start_error + 8.0 * (ROT_DD_EPS + m->given) * fabs(u) +
@@ -595,13 +604,14 @@ static void free_at(const rot_top_motion *m, rot_dd t, rot_top_state *out) {
   out->omega_error = state.omega_error;
 }
 
+/* Reduces the argument to |u| <= K, evaluates theta and both angles. */
 void rot_top_at(const rot_top_motion *m, rot_dd t, rot_top_state *out) {
   if (m->weightless) {
     free_at(m, t, out);
     return;
   }
   const rot_dd now = rot_dd_ldexp(t, m->exponent);
-  if (!(fabs(now.hi) < 1e250)) { /* no digit of the angles is known */
+  if (!(fabs(now.hi) < 1e250)) { /* all digits of the angles are lost */
     memcpy(out->q, m->q0, sizeof out->q);
     memcpy(out->omega, m->omega0, sizeof out->omega);
     out->q_error = pi;

@@ -1,14 +1,14 @@
-/* The heavy symmetric top, exactly: a body with an axis of symmetry, one point of that axis fixed,
- * under uniform gravity.
+/* Exact motion of the heavy symmetric top: a body with an axis of symmetry, a point of this axis
+ * fixed, under uniform gravity.
  *
- *   I1 w1' = (I1 - I3) w2 w3 + G z2,   I1 w2' = (I3 - I1) w3 w1 - G z1,   w3' = 0,
+ *   I1 w1' = (I1 - I3) w2 w3 + G z2,   I1 w2' = (I3 - I1) w3 w1 - G z1,   w3' = 0
  *
- * in the body's axes, 3 along the symmetry axis: I1 and I3 about the fixed point, G = m g l with l
- * from the fixed point to the centre of mass along axis 3, z the vertical in these axes. The cosine
- * u of the angle between axis 3 and the vertical is an elliptic function of time; the sum and the
- * difference of the Euler angles phi and psi, which are regular at the poles, grow evenly but for a
- * part that repeats, an integral of the third kind. All rates are known to twice the precision, so
- * the error does not grow with time.
+ * in body axes, 3 along the axis of symmetry. I1 and I3: about the fixed point; G = m g l, l from
+ * the fixed point to the centre of mass along axis 3; z: the vertical in body axes. u, the cosine
+ * of the angle between axis 3 and the vertical, is an elliptic function of time. The sum and the
+ * difference of the Euler angles phi and psi are regular at the poles: each is a linear function of
+ * time plus a periodic part, an integral of the third kind. All rates have twice the precision, so
+ * that the error does not grow with time.
  *
  * References: Goldstein, Poole & Safko 2002, section 5.7; Whittaker 1937, sections 71 to 72; DLMF
  * 19.8, 19.36, 22. */
@@ -19,89 +19,95 @@
 #include "maths/jacobi.h"
 #include "ground/status.h"
 
-/* The start: attitude, body to space, z up, of any length but 0; angular velocity in the body's
- * axes. Numbers of twice the precision, since their rounding grows with time. */
+/* Initial state, in twice the precision: its rounding grows with time. */
 typedef struct rot_top_start {
-  rot_dd q[4], omega[3];
+  rot_dd q[4];     /* attitude, body to space (z up); any length > 0 */
+  rot_dd omega[3]; /* rad/s, in body axes */
 } rot_top_start;
 
-/* From Euler angles z-x-z (phi, theta, psi) and the rates phi', theta' and omega3. */
+/* (Euler angles z-x-z, phi', theta', omega3) => initial state. */
 void rot_top_from_euler(double phi, double theta, double psi, double phi_rate, double theta_rate,
                         double omega3, rot_top_start *out);
 
-/* Of phi + psi and phi - psi: an angle that grows evenly but for a part that repeats. */
+/* The angle phi + psi or phi - psi: a linear function of time plus a periodic part. */
 typedef struct rot_top_angle {
-  rot_dd rate;    /* mean */
-  double size;    /* the sum of sizes of its terms */
-  double g, part; /* g/(1 + part sn^2): what is not even of its rate */
-  double whole;   /* 1 + part */
-  double j;       /* mean of sn^2/(1 + part sn^2) */
-  double near[4]; /* where 1 + part is large: see swing_of() */
-  double start;   /* the part that repeats, at the start */
-  double rounding;
+  rot_dd rate;     /* mean */
+  double size;     /* sum of |terms| of the mean rate */
+  double g, part;  /* periodic part of the rate: g/(1 + part sn^2) */
+  double whole;    /* 1 + part */
+  double j;        /* mean of sn^2/(1 + part sn^2) */
+  double near[4];  /* constants for large 1 + part: see swing_of() */
+  double start;    /* periodic part at the start */
+  double rounding; /* of `start`, in units of ROT_EPS */
 } rot_top_angle;
 
-/* Times are in the unit 2^-exponent s. */
+/* Constants of a motion. Unit of time: 2^-exponent s. */
 typedef struct rot_top_motion {
   int exponent;
-  int hangs;         /* G < 0: seen with the body's axes 2 and 3 turned over */
-  int still, steady; /* at rest for good; or u is constant */
-  int weightless;    /* G = 0: free */
-  rot_free_motion free;
-  double q0[4];        /* the attitude at the start */
-  double omega3, spin; /* spin: omega3 - L3/I1, which only turns the body on its axis */
-  double pull;         /* |G|/I1 */
-  double b_minus_a, b_plus_a;
-  double above, below, swing; /* 1 - u2, 1 + u1, u2 - u1: u goes from u1 to u2 */
+  int hangs;            /* 1: G < 0, computed with body axes 2 and 3 reversed */
+  int still;            /* 1: permanently at rest */
+  int steady;           /* 1: u is constant */
+  int weightless;       /* 1: G = 0, free motion */
+  rot_free_motion free; /* if weightless */
+  double q0[4];         /* attitude at the start */
+  double omega3;
+  double spin;                /* omega3 - L3/I1: rotation about axis 3 only */
+  double pull;                /* |G|/I1 */
+  double b_minus_a, b_plus_a; /* phi' = (b - a u)/(1 - u^2) */
+  double above, below, swing; /* 1 - u2, 1 + u1, u2 - u1, with u in [u1, u2] */
   double cosine;              /* u at the start */
-  rot_dd lambda, start;       /* the argument: lambda t + start */
+  rot_dd lambda, start;       /* argument of the elliptic functions: lambda t + start */
   rot_jacobi jacobi;
-  rot_top_angle sum, difference;
+  rot_top_angle sum, difference;  /* phi + psi, phi - psi */
   double sum0[2], difference0[2]; /* cosine and sine of half of them at the start */
-  double rate;                    /* |omega| at most */
-  double start_error, m1_loss, given;
-  /* of the rates of both angles, of lambda, and of K: see rot_top_differ() */
+  double rate;                    /* maximum of |omega| */
+  double start_error;             /* of `start` */
+  double m1_loss;                 /* error of the modulus by cancellation */
+  double given;                   /* relative error of the constants */
+  /* Errors of the rates of both angles, of lambda and of K: see rot_top_differ(). */
   double sum_error, difference_error, lambda_error, k_error;
   double omega0[3];
 } rot_top_motion;
 
-/* ROT_EVALUE: moments that are not positive (I1) or negative (I3) or not finite, I3 > 2 I1, other
- * numbers not finite, an attitude of length 0. ROT_ERANGE: G/I1 below 1e-60 of the squares of the
- * rates. `given`: relative error of the constants. */
+/* (moments, G, initial state) => motion. given: relative error of the constants. ROT_EVALUE: I1 <=
+ * 0, I3 < 0, I3 > 2 I1, a number not finite, or an attitude of length 0. ROT_ERANGE: G/I1 below
+ * 1e-60 of the squares of the rates. */
 rot_status rot_top_begin(double transverse_kg_m2, double axial_kg_m2, double weight_n_m,
                          const rot_top_start *start, double given, rot_top_motion *out);
 
-/* With wheels on the axis, which have this constant angular momentum relative to the body: the axis
- * follows from that of all, I3 omega3 + wheels. The moments are those with the wheels locked; with
- * wheels the weight must not be 0 (ROT_EVALUE). */
+/* The same with wheels on the axis. wheels: their constant angular momentum relative to the body;
+ * the axis follows from the total, I3 omega3 + wheels. The moments are those with locked wheels.
+ * With wheels the weight must not be 0 (ROT_EVALUE). */
 rot_status rot_top_begin_wheels(double transverse_kg_m2, double axial_kg_m2, rot_dd weight_n_m,
                                 rot_dd wheels, const rot_top_start *start, double given,
                                 rot_top_motion *out);
 
-/* The start is uncertain, and `other` begins at a start that is as likely: adds the differences of
- * their rates, which grow with time, to the errors of the motion. */
+/* Adds the effect of an uncertain start to the errors: `other` is the motion from an equally likely
+ * start; the differences of the rates grow with time. */
 void rot_top_differ(rot_top_motion *motion, const rot_top_motion *other);
 
 typedef struct rot_top_state {
-  double q[4];     /* body to space, unit */
-  double omega[3]; /* rad/s, in the body's axes */
-  double q_error;  /* an angle in rad, at most pi */
+  double q[4];     /* attitude, body to space, unit quaternion */
+  double omega[3]; /* rad/s, in body axes */
+  double q_error;  /* rad, 0 to pi */
   double omega_error;
 } rot_top_state;
 
-/* After t seconds, of any sign. */
+/* (motion, t in s, any sign) => state, its errors. */
 void rot_top_at(const rot_top_motion *motion, rot_dd t, rot_top_state *out);
 
-/* Of the nutation: its period in s (Inf: none), the cosines between which it goes, and how far phi
- * goes on in a period, in rad. */
+/* The nutation of a motion. */
 typedef struct rot_top_nutation {
-  double period_s, lowest_cosine, highest_cosine, precession_rad;
+  double period_s;                      /* > 0; Inf: none */
+  double lowest_cosine, highest_cosine; /* limits of u */
+  double precession_rad;                /* change of phi in a period */
 } rot_top_nutation;
 
+/* motion => nutation. */
 rot_top_nutation rot_top_nutates(const rot_top_motion *motion);
 
-/* The rates phi' of steady precession at an angle with this cosine, in rad/s: the slow one and the
- * fast one; NaN where there is none. */
+/* (moments, G, cosine of the angle, omega3) => slow and fast rate phi' of steady precession in
+ * rad/s; NaN: none. */
 void rot_top_steady(double transverse_kg_m2, double axial_kg_m2, double weight_n_m, double cosine,
                     double omega3, double *slow, double *fast);
 

@@ -29,6 +29,7 @@ rot_shaft_stepper rot_shaft_stepper_in(size_t n, double memory[]) {
   return (rot_shaft_stepper){size, 0.0, 0.0, memory, memory + square, memory + 2 * square};
 }
 
+/* Fills A h, with the torque scaled to the unit, and its exponential. */
 rot_status rot_shaft_set_step(const rot_shaft_modes *s, rot_shaft_stepper *y, double h) {
   const size_t n = s->n, size = y->size;
   double max = 0.0;
@@ -58,7 +59,7 @@ void rot_shaft_coupled_read(const rot_shaft_modes *s, const rot_shaft_stepper *y
   r[0] /= s->root_inertia;
 }
 
-/* Size of the twists' error, in units of roundoff, if the state has gone from the start to p, r. */
+/* Error of the twists in units of roundoff, after a motion from the start to p, r. */
 static double system_error(const rot_shaft_modes *s, double t, const double p[], const double r[]) {
   double start = 0.0, now = 0.0, force = 0.0, leak = 0.0;
   for (size_t m = s->mean_alone ? 1 : 0; m < s->n; m++) {
@@ -77,9 +78,10 @@ static double system_error(const rot_shaft_modes *s, double t, const double p[],
              (propagation * fmax(start, now) + force * (phase > 1.0 ? 1.0 / s->norm : fabs(t)));
 }
 
+/* Applies exp(A t) to the start. */
 rot_status rot_shaft_jump(const rot_shaft_modes *s, rot_shaft_stepper *y, rot_dd time,
                           double state[], double p[], double r[]) {
-  double *start = y->work; /* free once the exponential is done */
+  double *start = y->work; /* unused after the exponential */
   const double t = time.hi;
   if (t == 0.0) {
     y->step = 1.0;
@@ -89,7 +91,7 @@ rot_status rot_shaft_jump(const rot_shaft_modes *s, rot_shaft_stepper *y, rot_dd
     if (status != ROT_OK) return status;
     for (size_t i = 0; i < y->size; i++) start[i] = system_start(s, i, y->unit, t);
     rot_expm_apply(y->size, y->e, start, state);
-    if (time.lo != 0.0) { /* a step of it more, to first order */
+    if (time.lo != 0.0) { /* low part of the time, to first order */
       rot_expm_apply(y->size, y->a, state, start);
       for (size_t i = 0; i < y->size; i++) state[i] += time.lo / t * start[i];
     }

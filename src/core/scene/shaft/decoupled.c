@@ -8,18 +8,19 @@
 #include "maths/phi.h"
 #include "ground/real.h"
 
-/* With b = damping/2: fall = exp(-b t) sin(nu t)/nu, stay = exp(-b t) cos(nu t), nu^2 = sigma^2 -
- * b^2; sinh and cosh beyond the critical damping. `drop` is stay - b fall. */
+/* Impulse response, b = damping/2, nu^2 = sigma^2 - b^2: fall = exp(-b t) sin(nu t)/nu, stay =
+ * exp(-b t) cos(nu t), drop = stay - b fall; with sinh and cosh for overcritical damping. */
 typedef struct impulse {
   double fall, stay, drop;
 } impulse;
 
+/* (sigma, b, t) => impulse response. */
 static impulse impulse_at(double sigma, double sigma_lo, double b, rot_dd time) {
   impulse x;
   const double t = time.hi;
   const double mu = sqrt(fabs(b - sigma)) * sqrt(b + sigma);
   if (b <= sigma) {
-    /* The phase mu t to twice the precision. */
+    /* Phase mu t in twice the precision. */
     const rot_dd w = {sigma, sigma_lo == sigma_lo ? sigma_lo : 0.0};
     rot_dd nu = w;
     if (b > 0.0) {
@@ -40,16 +41,17 @@ static impulse impulse_at(double sigma, double sigma_lo, double b, rot_dd time) 
   const double e = exp(-slow * t), gap = -expm1(-2.0 * mu * t);
   x.fall = mu * fabs(t) > 0.0 ? e * gap / (2.0 * mu) : t * e;
   x.stay = e * (1.0 - 0.5 * gap);
-  /* Long after, stay and b fall agree but for slow/mu. */
+  /* For large t stay and b fall cancel up to slow/mu. */
   x.drop =
       mu * fabs(t) < 1.0 ? x.stay - b * x.fall : 0.5 * (fast / mu * exp(-fast * t) - slow / mu * e);
   if (!isfinite(x.fall) && t > 0.0) x = (impulse){0.0, 0.0, 0.0};
   return x;
 }
 
-/* The integral of `fall` from 0 to t: what a torque of 1 turns. */
+/* Integral of `fall` from 0 to t: the angle by a torque of 1. */
 static double turned_by_force(double sigma, double b, double t, const impulse *x) {
-  /* `fall` is positive, so nothing cancels at short times, where the closed forms do. */
+  /* `fall` is positive: quadrature has no cancellation at short times; the closed forms cancel
+   * there. */
   if (fmax(sigma, b) * fabs(t) <= 2.0) {
     double sum = 0.0;
     for (int i = 0; i < 12; i++) {
@@ -68,7 +70,7 @@ static double turned_by_force(double sigma, double b, double t, const impulse *x
   return (1.0 - (x->stay + b * x->fall)) / sigma / sigma;
 }
 
-/* p and r after t, from their values at the start. */
+/* (p, r) at the start, t => (p, r) at t. */
 static void move_mode(double sigma, double sigma_lo, double damp, double force, rot_dd time,
                       double *p, double *r) {
   const double p0 = *p, r0 = *r, t = time.hi;
@@ -86,6 +88,7 @@ static void move_mode(double sigma, double sigma_lo, double damp, double force, 
   *p = p0 * (x.stay + b * x.fall) + sigma * (r0 * x.fall + turned);
 }
 
+/* Cases: sigma = 0; backward in time (errors grow with the damping); forward. */
 double rot_shaft_mode_error(const rot_shaft_modes *s, size_t m, double t) {
   const double sigma = s->sigma[m], b = 0.5 * s->damp[m], T = fabs(t);
   const double start = hypot(s->p0[m], s->r0[m]), force = fabs(s->force[m]);
@@ -97,7 +100,8 @@ double rot_shaft_mode_error(const rot_shaft_modes *s, size_t m, double t) {
   }
   const double driven = force * fmin(T, 2.0 / sigma);
   if (t < 0.0) return (start + leak + driven) * exp(2.0 * b * T) * (1.0 + (sigma + b) * T);
-  /* b, to a rounding, moves nu by b^2/nu of it, and exp(-b t) by b t. */
+  /* The rounding of b changes nu by the fraction b^2/nu of it, and exp(-b t) by the fraction b
+   * t. */
   double phase = 1.0;
   if (b < sigma) {
     const double known = s->sigma_off[m] / ROT_EPS;

@@ -34,6 +34,7 @@ const rot_input rot_shaft_inputs[ROT_SHAFT_INPUTS] = {
     [START] = ROT_NUMBER_INPUT("start_s", "s", 0, -DBL_MAX, 0, 0.0, "when the state above holds"),
 };
 
+/* One number for each rotor or spring, or one for all. */
 rot_status rot_shaft_build(const rot_given given[], rot_store *store, void *to, rot_refusal *no) {
   rot_shaft_params *p = to;
   memset(p, 0, sizeof *p);
@@ -91,9 +92,10 @@ const rot_column_of rot_shaft_all_columns[ROT_SHAFT_ALL_COLUMNS] = {
 
 /* ---- runs ------------------------------------------------------------------------------------ */
 
-/* Even rows may share an exponential where its error is good enough. */
-static int fraction_exponentials(double accuracy) { return accuracy >= 1e-11; }
+/* 1 if evenly spaced rows may share an exponential: its error is within this accuracy. */
+static int may_reuse_exponentials(double accuracy) { return accuracy >= 1e-11; }
 
+/* (shaft, task) => rows, flows, by the modes or the rigid body. */
 static rot_status run(int rigid, const void *scene, const rot_task *task, const rot_rows *rows,
                       const rot_hooks *hooks, rot_info *info) {
   const rot_shaft_params *p = scene;
@@ -101,7 +103,7 @@ static rot_status run(int rigid, const void *scene, const rot_task *task, const 
   const rot_shaft_columns out = {column[THETA], column[OMEGA], column[SHAFT_TORQUE]};
   const size_t n = task->n;
   const rot_status status = rigid ? rot_shaft_rigid(p, n, task->time_s, &out, hooks, info)
-                                  : rot_shaft_modal(p, fraction_exponentials(task->accuracy), n,
+                                  : rot_shaft_modal(p, may_reuse_exponentials(task->accuracy), n,
                                                     task->time_s, &out, hooks, info);
   for (size_t i = 0; i < info->rows_done * p->n; i++) {
     const double momentum = p->inertia_kg_m2[i % p->n] * out.omega_rad_per_s[i];

@@ -20,12 +20,12 @@ static double angle_of(const rot_shaft_modes *s, const double p[], size_t i) {
   return sum;
 }
 
-/* As rot_expm_multiply() polls. */
+/* Size from which loops poll, as in rot_expm_multiply(). */
 enum { LARGE = 128 };
 
 static rot_status add_transformed(size_t n, double w[], const double weight, const double e[],
                                   const double q[], double work[], const rot_hooks *hooks) {
-  /* w += weight e' q e */
+  /* w += weight e' q e. */
   rot_status status = rot_expm_multiply(n, q, e, work, hooks);
   for (size_t i = 0; i < n && status == ROT_OK; i++) {
     for (size_t k = 0; k < n; k++) {
@@ -38,8 +38,8 @@ static rot_status add_transformed(size_t n, double w[], const double weight, con
   return status;
 }
 
-/* Heat = x0' W x0 with W = int exp(A't) Q exp(A t) dt: by quadrature over a short time, then by
- * doubling, W(2h) = W(h) + exp(A'h) W(h) exp(A h). All parts are positive: nothing cancels. */
+/* Heat = x0' W x0 with W = int exp(A't) Q exp(A t) dt: quadrature over a short time, then doubling,
+ * W(2h) = W(h) + exp(A'h) W(h) exp(A h). All terms are positive: no cancellation. */
 static rot_status find_heat(const rot_shaft_modes *s, double from, double span, const double p[],
                             const double r[], rot_shaft_ledger *ledger) {
   const size_t n = s->n, size = 2 * n + 1, square = size * size;
@@ -58,7 +58,7 @@ static rot_status find_heat(const rot_shaft_modes *s, double from, double span, 
   for (int i = 0; i < 12 && status == ROT_OK; i++) {
     const rot_gauss_node at = rot_gauss(i);
     status = rot_shaft_set_step(s, &step, at.x * h);
-    /* The last place holds step.unit then; here it shall hold 1. */
+    /* Rescale the last place from step.unit to 1. */
     for (size_t k = 0; k < size; k++) step.e[k * size + 2 * n] *= step.unit;
     step.e[square - 1] = 1.0;
     if (status == ROT_OK) {
@@ -92,7 +92,7 @@ static rot_status find_heat(const rot_shaft_modes *s, double from, double span, 
   return isfinite(ledger->dissipated_j) || status != ROT_OK ? status : ROT_ERANGE;
 }
 
-/* p and r (or q) of the modes at a time. */
+/* t => p and r (or q) of the modes, their errors. */
 static rot_status modes_at(const rot_shaft_modes *s, rot_dd t, double p[], double r[],
                            double error[]) {
   if (s->decoupled) {
@@ -109,6 +109,7 @@ static rot_status modes_at(const rot_shaft_modes *s, rot_dd t, double p[], doubl
   return status;
 }
 
+/* (shaft, two times) => work from the angles, heat from the modes. */
 static rot_status balance_of_modes(const rot_shaft_params *p, rot_dd begin, rot_dd finish,
                                    const rot_hooks *hooks, rot_shaft_ledger *ledger) {
   rot_shaft_modes s;
@@ -140,7 +141,8 @@ static rot_status balance_of_modes(const rot_shaft_params *p, rot_dd begin, rot_
   return status;
 }
 
-/* int omega^2 by Gauss and Legendre over segments of decay * t = 2. */
+/* (shaft, two times) => work, heat of the rigid body: Gauss-Legendre quadrature of omega^2 over
+ * segments of decay * t = 2. */
 static rot_status balance_of_lump(const rot_shaft_params *p, double from, double to,
                                   rot_shaft_ledger *ledger) {
   rot_shaft_lump s;
@@ -154,7 +156,7 @@ static rot_status balance_of_lump(const rot_shaft_params *p, double from, double
   for (size_t i = 0; i < p->n; i++) torque += p->torque_n_m[i];
   ledger->work_j = torque * (theta1 - theta0);
   ledger->work_rounding_j = fabs(torque) * 16.0 * ROT_EPS * max;
-  /* After 40 times 1/decay from the start omega has settled: the rest in one go. */
+  /* From t = 40/decay on omega is constant: one segment. */
   const double settled = s.decay > 0.0 ? fmin(to, fmax(from, 40.0 / s.decay)) : to;
   const double parts = fmax(1.0, ceil(s.decay * (settled - from) / 2.0));
   double sum = 0.0;
@@ -204,9 +206,9 @@ static double size_of(size_t n, const double x[]) {
   return sum;
 }
 
-/* What the springs hold more than at the start, from the torques of a row: the difference of two
- * angles loses the twist of a stiff shaft. The error of the twists has the energy norm of that of
- * omega. */
+/* Change of the elastic energy since the start, from the torques of a row: a difference of two
+ * angles loses the twist of a stiff shaft. The energy norm of the error of the twists equals that
+ * of the error of omega. */
 static double elastic_at(const rot_shaft_params *p, const double omega[], const double shaft[],
                          double omega_error, double *error) {
   double change = 0.0, before = 0.0, after = 0.0, rounding = 0.0;
@@ -227,6 +229,7 @@ static double elastic_at(const rot_shaft_params *p, const double omega[], const 
   return change;
 }
 
+/* Work, heat, elastic energy and impulse, row by row. */
 rot_status rot_shaft_flow(const rot_shaft_params *p, int rigid, size_t n, const double time_s[],
                           const rot_shaft_columns *rows, const rot_info *info, double *const flow[],
                           double error[], const rot_hooks *hooks) {
@@ -270,7 +273,7 @@ const rot_balance_term rot_shaft_terms[ROT_SHAFT_TERMS] = {
     {MOMENTUM, ROT_SUPPLIED, "impulse of the torques", 0},
     {MOMENTUM, ROT_DISSIPATED, "impulse of the bearings", 0}};
 
-/* Changes as products: a small one of a large energy keeps its digits. */
+/* Changes as products: a small change of a large energy keeps its digits. */
 void rot_shaft_audit(const void *scene, const rot_span *s, double term[]) {
   const rot_shaft_params *p = scene;
   const size_t n = p->n;
@@ -287,7 +290,7 @@ void rot_shaft_audit(const void *scene, const rot_span *s, double term[]) {
   memcpy(term, value, sizeof value);
 }
 
-/* Shafts twist and give back; they act between the rotors. */
+/* Springs store energy; their torques are internal. */
 size_t rot_shaft_conserved(const void *scene, size_t balance, const char *why[]) {
   const rot_shaft_params *p = scene;
   size_t n = 0;

@@ -19,14 +19,15 @@ typedef struct modal_run {
   size_t rows;
   const rot_shaft_columns *out;
   rot_info *info;
-  double *p, *r, *error; /* n each: the modes at the row, and their errors */
-  int fast;
-  rot_shaft_stepper one, grid; /* coupled modes: a jump from the start, a step of an even grid */
-  double *state;
-  size_t even_left; /* rows of the grid that are still to come */
+  double *p, *r, *error;  /* n each: modes at the row, their errors */
+  int fast;               /* 1: evenly spaced rows share an exponential */
+  rot_shaft_stepper one;  /* coupled modes: from the start to a row */
+  rot_shaft_stepper grid; /* coupled modes: one step of an even grid */
+  double *state;          /* 2 n + 1, of the coupled system */
+  size_t even_left;       /* remaining rows of the even grid */
 } modal_run;
 
-/* Angles, rates and torques from the modes. */
+/* modes => angles, rates and torques of a row, their errors. */
 static rot_status write_row(const modal_run *run, size_t row, double t) {
   const rot_shaft_modes *s = run->s;
   const rot_shaft_params *p = s->p;
@@ -48,7 +49,7 @@ static rot_status write_row(const modal_run *run, size_t row, double t) {
     size += p->viscous_n_m_s[i] / s->inertia * fabs(theta[i] - p->theta0_rad[i]);
   }
   for (size_t i = 0; i < n; i++) momentum -= s->fraction[i] * omega[i];
-  /* The rounding of this sum itself is no error of the rows. */
+  /* Without the rounding of this sum, which is no error of the rows. */
   const double residual = fmax(0.0, fabs(momentum) - 2.0 * (double)n * ROT_EPS * size);
   for (size_t i = 0; i < n; i++) {
     double theta_error = 0.0, omega_error = 0.0;
@@ -57,7 +58,7 @@ static rot_status write_row(const modal_run *run, size_t row, double t) {
       const double angle =
           m > s->floppy ? error / s->sigma[m]
                         : error * fabs(t) + ROT_EPS * rot_shaft_roundings(s) * fabs(s->p0[m]);
-      /* Coupled modes share one error of that norm; decoupled ones have their own. */
+      /* Coupled modes: one error, of the norm; decoupled modes: one error each. */
       omega_error = s->decoupled ? omega_error + shape * error : hypot(omega_error, shape * error);
       theta_error = s->decoupled ? theta_error + shape * angle : hypot(theta_error, shape * angle);
     }
@@ -80,8 +81,8 @@ static rot_status write_row(const modal_run *run, size_t row, double t) {
   return ROT_OK;
 }
 
-/* How many times from row i on are even: t_i, t_i + h, ... to what a first-order correction sets
- * right. */
+/* Number of evenly spaced times t_i, t_i + h, ... from row i on, up to deviations that a
+ * first-order correction removes; 1: fewer than 8. */
 static size_t even_rows(const rot_shaft_modes *s, size_t n, const double time_s[], size_t i) {
   if (i + 8 > n) return 1;
   const double h = time_s[i + 1] - time_s[i];
@@ -94,8 +95,8 @@ static size_t even_rows(const rot_shaft_modes *s, size_t n, const double time_s[
   return k >= 8 ? k : 1;
 }
 
-/* Rows i .. i + count - 1, evenly h apart, row i at hand: one matrix times a vector each, with a
- * first-order correction for what is not even in the times. *end: the rows written. */
+/* Rows i .. i + count - 1, evenly spaced by h, row i known: one product of matrix and vector each,
+ * first-order correction of the deviation of the time. *end: rows written. */
 static rot_status even_segment(const modal_run *run, size_t i, size_t count, size_t *end) {
   const rot_shaft_modes *s = run->s;
   const rot_shaft_stepper *grid = &run->grid;
@@ -127,7 +128,7 @@ static rot_status even_segment(const modal_run *run, size_t i, size_t count, siz
   return ROT_OK;
 }
 
-/* A row by one exponential, and the rows of an even grid from there. */
+/* Row i by one exponential, the following rows of an even grid by steps. */
 static rot_status coupled_rows(void *model, size_t i, size_t last, size_t *end) {
   modal_run *run = model;
   const rot_shaft_modes *s = run->s;
@@ -169,6 +170,7 @@ static rot_status decoupled_rows(void *model, size_t i, size_t last, size_t *end
   return status;
 }
 
+/* Builds the modes; rows by decoupled_rows() or coupled_rows(). */
 rot_status rot_shaft_modal(const rot_shaft_params *p, int fast, size_t n, const double time_s[],
                            const rot_shaft_columns *out, const rot_hooks *hooks, rot_info *info) {
   static const rot_stepping coupled = {.write_rows = coupled_rows};

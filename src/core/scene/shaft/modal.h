@@ -1,18 +1,18 @@
-/* The shaft of rotors, exact: the mean motion separately, the twists in modes. */
+/* Exact motion of a shaft of rotors: mean motion separately, twists by modes. */
 #ifndef ROT_SHAFT_MODAL_H
 #define ROT_SHAFT_MODAL_H
 
 #include "scene/shaft/shaft.h"
 
-/* Exact for any stiffness. Without damping, or with c_i = a k_i and d_i = b J_i, each mode is a
- * closed form; otherwise the exponential of the system in energy-scaled modal coordinates. `fast`
- * lets even segments of rows share one exponential. The errors in *info are estimates:
- * roundings times the phase turned, and what the balance of momentum is off by. */
+/* (shaft, times) => rows, for any stiffness. Without damping, or with c_i = a k_i and d_i = b J_i,
+ * each mode has a closed form; otherwise the exponential of the system in energy-scaled modal
+ * coordinates. fast: evenly spaced rows share one exponential. The errors in *info are estimates:
+ * rounding times the accumulated phase, plus the residual of the momentum balance. */
 rot_status rot_shaft_modal(const rot_shaft_params *p, int fast, size_t n, const double time_s[],
                            const rot_shaft_columns *out, const rot_hooks *hooks, rot_info *info);
 
-/* Angular frequencies sqrt(eigenvalue) of the undamped shaft in rad/s, ascending, n of them: 0 for
- * the mean motion and for each spring that is missing. */
+/* shaft => n angular frequencies sqrt(eigenvalue) without damping in rad/s, ascending; 0 for the
+ * mean motion and for each missing spring. */
 rot_status rot_shaft_frequencies(const rot_shaft_params *p, double sigma[], const rot_hooks *hooks);
 
 #endif

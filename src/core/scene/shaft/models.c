@@ -41,16 +41,16 @@ static const char *not_rigid(const void *scene, const rot_query *query) {
   return NULL;
 }
 
-/* Whether c_i = a k_i and d_i = b J_i: then each mode has a closed form. */
-static int modes_difference(const rot_shaft_params *p) {
-  int difference = 1;
+/* 1 if c_i = a k_i and d_i = b J_i (each mode has a closed form), else 0. */
+static int modes_decouple(const rot_shaft_params *p) {
+  int decoupled = 1;
   for (size_t i = 1; i < p->n; i++) {
     const double *J = p->inertia_kg_m2, *d = p->viscous_n_m_s, *k = p->stiffness_n_m_per_rad;
     const double *c = p->damping_n_m_s, off = d[i] * J[0] - d[0] * J[i];
-    difference &= fabs(off) <= 1e-12 * d[i] * J[0];
-    if (i + 1 < p->n) difference &= fabs(c[i] * k[0] - c[0] * k[i]) <= 1e-12 * c[i] * k[0];
+    decoupled &= fabs(off) <= 1e-12 * d[i] * J[0];
+    if (i + 1 < p->n) decoupled &= fabs(c[i] * k[0] - c[0] * k[i]) <= 1e-12 * c[i] * k[0];
   }
-  return difference;
+  return decoupled;
 }
 
 static double rigid_s(const rot_model *model, const void *scene, const rot_query *query) {
@@ -59,12 +59,12 @@ static double rigid_s(const rot_model *model, const void *scene, const rot_query
   return s[0] + rows * (n * s[1] + n * n * s[2] + exponential_s);
 }
 
-/* Coupled modes take the exponential of a matrix: one for even rows, or (for the last digits) one a
- * row. */
+/* Coupled modes need a matrix exponential: one for evenly spaced rows, or one per row for the last
+ * digits. */
 static double modal_s(const rot_model *model, const void *scene, const rot_query *query) {
   const double n = (double)((const rot_shaft_params *)scene)->n, rows = (double)query->n;
   const double *s = model->seconds, cube = n * n * n * s[3];
-  if (modes_difference(scene)) return s[0] + cube + rows * n * (s[1] + n * s[2]);
+  if (modes_decouple(scene)) return s[0] + cube + rows * n * (s[1] + n * s[2]);
   return 3.0 * s[0] + 2.0 * cube +
          rows * n * n * (query->accuracy >= 1e-11 ? 11.0 * s[2] : 100.0 * s[2] + n * s[3]);
 }
@@ -90,8 +90,8 @@ static const rot_model models[] = {
      {1e-6, 80e-9, 5e-9, 60e-9}},
 };
 
-/* The twist that swings or fades fastest, by a bound on the largest eigenvalue (Gershgorin) of
- * J^-1/2 K J^-1/2, with K of springs or of dampers between neighbours. */
+/* (shaft, springs or dampers k) => bound (Gershgorin) on the largest eigenvalue of J^-1/2 K J^-1/2:
+ * fastest oscillation or decay of a twist. */
 static double largest_rate(const rot_shaft_params *p, const double k[]) {
   const double *J = p->inertia_kg_m2;
   double max = 0.0, before = 0.0;

@@ -19,15 +19,15 @@ static int allocate(rot_shaft_modes *s, size_t n) {
   return 1;
 }
 
-/* A step of the loops below takes 4 us with so many rotors; fewer are not worth a poll. */
+/* Number of rotors from which loops poll: one step then takes 4 us. */
 enum { LARGE = 64 };
 
 static rot_status poll_if_large(const rot_shaft_modes *s) {
   return s->n < LARGE ? ROT_OK : rot_poll(s->hooks, 0.0);
 }
 
-/* Weighted by inertia, from the first one on: rotors that agree have exactly their own mean. To
- * twice the precision, since a mean that cancels is the rate of all angles. */
+/* Mean weighted by inertia, of the differences from the first rotor: exact for equal values. In
+ * twice the precision: a mean that cancels is the rate of all angles. */
 static double mean_of(const rot_shaft_modes *s, const double x[]) {
   const double *J = s->p->inertia_kg_m2;
   double largest = 0.0;
@@ -43,8 +43,8 @@ static double mean_of(const rot_shaft_modes *s, const double x[]) {
   return rot_dd_add1(rot_dd_div(sum, all), x[0]).hi;
 }
 
-/* The twists: singular vectors of sqrt(k) B J^-1/2, whose small singular values keep their digits
- * however much the rotors and springs differ. Fills sigma and lever. */
+/* Twists: singular vectors of sqrt(k) B J^-1/2. Small singular values keep their digits for any
+ * ratio of rotors and springs. Fills sigma and lever. */
 static rot_status find_twists(rot_shaft_modes *s) {
   const size_t n = s->n, springs = n - 1 - s->floppy;
   const double *k = s->p->stiffness_n_m_per_rad, *J = s->p->inertia_kg_m2;
@@ -71,9 +71,9 @@ static rot_status find_twists(rot_shaft_modes *s) {
   return status == ROT_EVALUE ? ROT_ERANGE : status;
 }
 
-/* Shapes of the twists in rotors first .. last, joined by springs: each rotor from the twists to
- * its right and left, with the shares of inertia beyond. No difference of large numbers, and no
- * net momentum. */
+/* Shapes of the twists in rotors first .. last, joined by springs: each rotor from the twists on
+ * both sides, weighted by the fractions of inertia beyond. No difference of large numbers, no net
+ * momentum. */
 static rot_status shape_group(rot_shaft_modes *s, size_t first, size_t last) {
   const size_t n = s->n;
   const double *k = s->p->stiffness_n_m_per_rad;
@@ -95,7 +95,7 @@ static rot_status shape_group(rot_shaft_modes *s, size_t first, size_t last) {
   return ROT_OK;
 }
 
-/* Mode f moves the groups before group f against group f. */
+/* Mode f: groups before group f against group f. */
 static void shape_floppy(rot_shaft_modes *s, size_t f, size_t first, size_t last) {
   double before = 0.0, here = 0.0;
   for (size_t i = 0; i < first; i++) before += s->fraction[i];
@@ -107,6 +107,7 @@ static void shape_floppy(rot_shaft_modes *s, size_t f, size_t first, size_t last
   }
 }
 
+/* Shapes of all modes, group by group. */
 static rot_status find_shapes(rot_shaft_modes *s) {
   const size_t n = s->n;
   const double *k = s->p->stiffness_n_m_per_rad;
@@ -127,10 +128,10 @@ static rot_status find_shapes(rot_shaft_modes *s) {
 
 /* ---- phases of the modes --------------------------------------------------------------------- */
 
-/* The shape of a twist in numbers near 1, so that no square leaves the range. */
+/* Shape of a twist scaled to numbers near 1: squares do not overflow. */
 typedef struct scaled_shape {
-  int of_k, of_J, of_twist;
-  const double *twist; /* column m */
+  int of_k, of_J, of_twist; /* binary exponents of the scales */
+  const double *twist;      /* column m */
   size_t stride;
 } scaled_shape;
 
@@ -142,18 +143,18 @@ static rot_dd scaled_twist(const scaled_shape *x, size_t i) {
   return (rot_dd){ldexp(x->twist[i * x->stride], -x->of_twist), 0.0};
 }
 
-/* The torque of piece i of the shaft. */
+/* Torque of shaft piece i. */
 static rot_dd scaled_torque(const rot_shaft_modes *s, const scaled_shape *x, size_t i) {
   return rot_dd_mul1(scaled_twist(x, i), ldexp(s->p->stiffness_n_m_per_rad[i], -x->of_k));
 }
 
-/* The last rotor of a group joined by springs. */
+/* first rotor of a group joined by springs => its last rotor. */
 static size_t group_end(const rot_shaft_modes *s, size_t first) {
   while (first + 1 < s->n && s->p->stiffness_n_m_per_rad[first] > 0.0) first++;
   return first;
 }
 
-/* The angle of the last rotor of a group whose momentum is 0. */
+/* Angle of the last rotor of a group with zero momentum. */
 static rot_dd last_angle(const rot_shaft_modes *s, const scaled_shape *x, size_t first,
                          size_t last) {
   rot_dd theta = {0.0, 0.0}, momentum = {0.0, 0.0}, inertia = {0.0, 0.0};
@@ -165,8 +166,8 @@ static rot_dd last_angle(const rot_shaft_modes *s, const scaled_shape *x, size_t
   return rot_dd_div(momentum, rot_dd_neg(inertia));
 }
 
-/* Sums over all rotors: elastic and kinetic energy, and, for sigma^2 = square, the square of what
- * the equation of motion lacks over the inertia. */
+/* Sums over all rotors: elastic energy, kinetic energy and, for sigma^2 = square, the squared
+ * residual of the equation of motion over the inertia. */
 static void energies(const rot_shaft_modes *s, const scaled_shape *x, rot_dd square,
                      rot_dd *elastic, rot_dd *kinetic, double *lacking) {
   const rot_dd zero = {0.0, 0.0};
@@ -191,7 +192,7 @@ static void energies(const rot_shaft_modes *s, const scaled_shape *x, rot_dd squ
   }
 }
 
-/* The least |sigma_l^2 - sigma_m^2| over sigma_m^2 of a mode that moves the same pieces. */
+/* Minimum of |sigma_l^2 - sigma_m^2| / sigma_m^2 over the modes l that move the same pieces. */
 static double nearest_mode(const rot_shaft_modes *s, size_t m) {
   double min = 1.0; /* the rigid-body modes */
   for (size_t l = 1 + s->floppy; l < s->n; l++) {
@@ -205,11 +206,11 @@ static double nearest_mode(const rot_shaft_modes *s, size_t m) {
   return min;
 }
 
-/* Elastic over kinetic energy of a shape given by its twists, sigma^2 = sum k twist^2 /
- * sum J theta^2 with no net momentum in any group: an error of the shape counts squared, so this
- * has twice its digits. At a phase of 1e5 (k = 1e10 for 1 s) it takes the error of omega from
- * 4e-12 to 1e-16. *off: its relative error, from what the equation of motion lacks, r: sigma^2 is
- * off by at most r^2 over the distance of the next one, and by r (Parlett 1998, sections 4.5 and
+/* sigma as Rayleigh quotient of a shape: elastic over kinetic energy, sigma^2 = sum k twist^2 / sum
+ * J theta^2 without net momentum in any group. An error of the shape enters squared: twice its
+ * digits. At a phase of 1e5 (k = 1e10 for 1 s) it reduces the error of omega from 4e-12 to 1e-16.
+ * *off: relative error. With the residual r of the equation of motion the error of sigma^2 is at
+ * most r, and at most r^2 over the distance to the next eigenvalue (Parlett 1998, sections 4.5 and
  * 11.7). */
 static rot_dd sharp_sigma(const rot_shaft_modes *s, size_t m, double *off) {
   const size_t n = s->n;
@@ -223,7 +224,7 @@ static rot_dd sharp_sigma(const rot_shaft_modes *s, size_t m, double *off) {
   (void)frexp(max_k, &x.of_k);
   (void)frexp(max_J, &x.of_J);
   (void)frexp(max, &x.of_twist);
-  x.of_J += (x.of_k - x.of_J) % 2; /* an even power between them, for the root */
+  x.of_J += (x.of_k - x.of_J) % 2; /* even difference of exponents, for the root */
   rot_dd elastic, kinetic;
   energies(s, &x, (rot_dd){0.0, 0.0}, &elastic, &kinetic, &lacking);
   const rot_dd square = rot_dd_div(elastic, kinetic);
@@ -233,7 +234,8 @@ static rot_dd sharp_sigma(const rot_shaft_modes *s, size_t m, double *off) {
   return rot_dd_ldexp(rot_dd_sqrt(square), (x.of_k - x.of_J) / 2);
 }
 
-/* Keeps those that agree with the singular value: all, unless something underflowed. */
+/* Replaces the singular values that agree with their Rayleigh quotient: all, unless a number
+ * underflowed. */
 static rot_status sharpen(rot_shaft_modes *s) {
   for (size_t m = 1 + s->floppy; m < s->n; m++) {
     const rot_dd sigma = sharp_sigma(s, m, &s->sigma_off[m]);
@@ -251,7 +253,7 @@ static rot_status sharpen(rot_shaft_modes *s) {
   return ROT_OK;
 }
 
-/* x_i = ratio y_i for all i, to rounding; the ratio is 0 for no damping. */
+/* 1 if x_i = ratio y_i for all i up to rounding; ratio 0: no damping. */
 static int proportional(size_t n, const double x[], const double y[], double *ratio) {
   double min = INFINITY, max = 0.0;
   *ratio = 0.0;
@@ -265,7 +267,7 @@ static int proportional(size_t n, const double x[], const double y[], double *ra
   return isfinite(max);
 }
 
-/* Column 0 of twist is zero, so torques between the rotors do not act on the mean, exactly. */
+/* Column 0 of twist is 0: torques between rotors do not act on the mean, exactly. */
 static rot_status find_damping(rot_shaft_modes *s) {
   const size_t n = s->n;
   const double *c = s->p->damping_n_m_s, *d = s->p->viscous_n_m_s, *J = s->p->inertia_kg_m2;
@@ -317,15 +319,16 @@ static void start_floppy(rot_shaft_modes *s, size_t m) {
 }
 
 typedef struct projection {
-  double value, size; /* a sum, and the size that its rounding is of */
+  double value; /* a sum */
+  double size;  /* sum of its |terms|, for its rounding */
 } projection;
 
 static projection better_of(projection a, projection b) { return a.size <= b.size ? a : b; }
 
-/* A twist takes its share of angles, rates and torques either from the rotors, with weights
- * J shape, or, by sum J_i shape_i x_i = sum lever_j (x_j - x_(j+1))/sigma, from the springs. With
- * rotors of very different size the springs are better, with springs of very different size the
- * rotors: a shape is rounded by the size of its largest part. */
+/* Projection of angles, rates and torques on a twist, from the rotors with weights J shape, or from
+ * the springs: sum J_i shape_i x_i = sum lever_j (x_j - x_(j+1))/sigma. The springs are better for
+ * rotors of very different inertia, the rotors for very different springs: the rounding of a shape
+ * is relative to its largest component. */
 static void start_twist(rot_shaft_modes *s, size_t m) {
   const rot_shaft_params *p = s->p;
   const size_t n = s->n;
@@ -356,7 +359,7 @@ static void start_twist(rot_shaft_modes *s, size_t m) {
     torque[1].size += sigma / root * fabs(carried);
   }
   const projection p0 = better_of(angle[0], angle[1]), r0 = better_of(rate[0], rate[1]);
-  /* Beyond a missing spring the torque carried is not zero, and the second sum does not hold. */
+  /* Beyond a missing spring the transmitted torque is not 0: the second sum does not hold. */
   const projection force = s->floppy ? torque[0] : better_of(torque[0], torque[1]);
   s->p0[m] = p0.value;
   s->r0[m] = r0.value;
@@ -365,6 +368,7 @@ static void start_twist(rot_shaft_modes *s, size_t m) {
   s->force_leak[m] = force.size;
 }
 
+/* angles and rates at the start => p0, r0, modal torques, leaks. */
 static void find_start(rot_shaft_modes *s) {
   const rot_shaft_params *p = s->p;
   const size_t n = s->n;
@@ -385,6 +389,7 @@ static void find_start(rot_shaft_modes *s) {
   for (size_t m = 1 + s->floppy; m < n; m++) start_twist(s, m);
 }
 
+/* Mean, twists, shapes, sharp frequencies, damping, start. */
 rot_status rot_shaft_modes_build(rot_shaft_modes *s, const rot_shaft_params *p,
                                  const rot_hooks *hooks) {
   memset(s, 0, sizeof *s);

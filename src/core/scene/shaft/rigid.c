@@ -8,6 +8,7 @@
 #include "maths/phi.h"
 #include "ground/real.h"
 
+/* Mean motion, spring torques, and both terms of the error bound. */
 rot_status rot_shaft_lump_build(rot_shaft_lump *s, const rot_shaft_params *p) {
   const size_t n = p->n;
   memset(s, 0, sizeof *s);
@@ -80,6 +81,7 @@ typedef struct rigid_run {
   rot_info *info;
 } rigid_run;
 
+/* (rigid body, row) => angles, rates, torques, error bounds. */
 static rot_status write_row(void *model, size_t row) {
   const rigid_run *run = model;
   const rot_shaft_lump *s = run->s;
