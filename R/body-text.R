@@ -93,30 +93,30 @@ own_text <- function(body) {
     given <- intersect(density_names, names(detail))
     if (length(given)) detail[given[1]] else list(mass_kg = x$mass_kg)
   }
-  direction <- function(name, arguments, read) list(name = name, arguments = arguments, read = read)
+  recipe <- function(name, arguments, read) list(name = name, arguments = arguments, read = read)
   if (body$provenance == "formula" && !is.null(detail$vertices_m)) {
     name <- paste0("body_", body$shape)
     if (!name %in% c("body_polygon", "body_tetrahedron")) return(NULL)
-    return(direction(name, function(x) {
+    return(recipe(name, function(x) {
       c(amount(x), list(vertices_m = detail$vertices_m))
     }, get(name, envir = topenv())))
   }
   name <- paste0("body_", body$shape)
   if (body$provenance == "formula" && name %in% names(body_readers())) {
-    return(direction(name, function(x) c(amount(x), as.list(x$size_m)), body_readers()[[name]]))
+    return(recipe(name, function(x) c(amount(x), as.list(x$size_m)), body_readers()[[name]]))
   }
   if (body$provenance == "compound" && all(detail$signs == 1)) {
-    return(direction("join_bodies", function(x) {
+    return(recipe("join_bodies", function(x) {
       list(bodies = detail$bodies, name = x$shape)
     }, read_joined))
   }
   if (body$provenance == "compound" && identical(detail$signs, c(1, -1))) {
-    return(direction("cut_body", function(x) {
+    return(recipe("cut_body", function(x) {
       list(body = detail$bodies[[1]], hole = detail$bodies[[2]], name = x$shape)
     }, cut_body))
   }
   if (body$provenance == "points" && !is.null(detail$at) && is.null(detail$frame)) {
-    return(direction("body_points", function(x) {
+    return(recipe("body_points", function(x) {
       list(data = as.data.frame(detail$at), name = x$shape)
     }, read_data))
   }

@@ -523,12 +523,12 @@ cli_run_rerun <- function(words, options, state) {
   runs <- if (length(words) > 1L) words[-1L] else records_list(db)$run
   again <- lapply(runs, function(run) {
     result <- records_rerun(db, run, record = isTRUE(options$record))
-    maximum <- if (nrow(result$where)) result$where[1, ]
+    worst <- if (nrow(result$where)) result$where[1, ]
     list(
       run = result$run, verdict = result$verdict, model = result$model[["now"]],
-      quantity = maximum$quantity %||% NA_character_, row = as.double(maximum$row %||% NA),
-      then = maximum$then %||% NA_real_, now = maximum$now %||% NA_real_,
-      allowed = maximum$allowed %||% NA_real_, new_run = result$new_run %||% NA_character_
+      quantity = worst$quantity %||% NA_character_, row = as.double(worst$row %||% NA),
+      then = worst$then %||% NA_real_, now = worst$now %||% NA_real_,
+      allowed = worst$allowed %||% NA_real_, new_run = result$new_run %||% NA_character_
     )
   })
   if (!length(again)) abort_input("it has no run")

@@ -387,13 +387,13 @@ check_moves <- function(run, speeds, load, call) {
 # which says nothing of the speed at the start.
 half_turned <- function(run) {
   n <- length(run$time_s)
-  direction <- if (run$kind == 1) {
+  path_rad <- if (run$kind == 1) {
     cumsum(c(0, diff(run$time_s) * (run$value[-1] + run$value[-n]) / 2))
   } else {
     run$value - run$value[1]
   }
-  direction <- abs(direction)
-  match(TRUE, direction >= max(direction) / 2, nomatch = n)
+  path_rad <- abs(path_rad)
+  match(TRUE, path_rad >= max(path_rad) / 2, nomatch = n)
 }
 
 # Parameters to start from, and T/I, J/I, whether J/I is multiplied, of the load.

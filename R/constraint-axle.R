@@ -29,9 +29,9 @@ axle_constraint <- function() {
       names <- c(
         "omega_rad_per_s", "angular_momentum_kg_m2_per_s", "rotational_kinetic_energy_j"
       )
-      maximum <- largest_values(x, run, names, NULL)
-      value <- function(name) maximum$value[[name]] %||% NA_real_
-      time <- function(name) maximum$time_s[[name]] %||% NA_real_
+      extremes <- largest_values(x, run, names, NULL)
+      value <- function(name) extremes$value[[name]] %||% NA_real_
+      time <- function(name) extremes$time_s[[name]] %||% NA_real_
       list(
         moment_of_inertia_kg_m2 = run$scene$moment_of_inertia_kg_m2,
         max_angular_velocity_rad_per_s = value("omega_rad_per_s"),

@@ -47,15 +47,15 @@ incline_constraint <- function() {
       }
       # x is positive down a slope of positive angle; the level is equally high everywhere.
       down <- sign(run$scene$incline_angle_deg)
-      maximum <- largest_values(
+      extremes <- largest_values(
         x, run, c("x_m", "v_m_per_s", "omega_rad_per_s"), NULL, minimum = if (down > 0) "x_m"
       )
       if (down == 0) {
-        maximum$value$x_m <- x[["x_m"]][1]
-        maximum$time_s$x_m <- x[["time_s"]][1]
+        extremes$value$x_m <- x[["x_m"]][1]
+        extremes$time_s$x_m <- x[["time_s"]][1]
       }
-      value <- function(name) maximum$value[[name]] %||% NA_real_
-      time <- function(name) maximum$time_s[[name]] %||% NA_real_
+      value <- function(name) extremes$value[[name]] %||% NA_real_
+      time <- function(name) extremes$time_s[[name]] %||% NA_real_
       list(
         max_v_m_per_s = value("v_m_per_s"),
         max_v_time_s = time("v_m_per_s"),

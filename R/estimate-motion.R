@@ -694,15 +694,15 @@ edges_of <- function(data) {
 # back (the count goes where it came from), and whether there is an edge behind and before it.
 counter_runs <- function(count, segment) {
   jump <- diff(count)
-  difference <- diff(segment) != 0L
-  last <- c(which(abs(jump) > 0.5 | difference), length(count))
+  new_segment <- diff(segment) != 0L
+  last <- c(which(abs(jump) > 0.5 | new_segment), length(count))
   n <- length(last)
   first <- c(1L, last[-n] + 1L)
   size <- last - first + 1L
   slow <- size >= slow_run
   if (sum(slow) < 2L) return(NULL)
   behind <- jump[last] # NA at the end
-  behind[difference[last]] <- NA
+  behind[new_segment[last]] <- NA
   before <- c(NA, behind[-n])
   by_one <- function(x) !is.na(x) & abs(x) < 1.5
   turns <- by_one(before) & by_one(behind) & before * behind < 0

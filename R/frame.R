@@ -82,16 +82,16 @@ earth_drop <- function(height_m, latitude_deg, gravity_m_per_s2 = 9.80665,
   ), call)
   time_s <- .Call(ffi_frame_fall_time, unname(columns[c(4, 2, 3, 1)]))
   n <- length(time_s)
-  direction <- .Call(ffi_frame_projectile, c(
+  path <- .Call(ffi_frame_projectile, c(
     list(time_s), unname(columns[2]), list(0, 0, 0), unname(columns[3:4])
   ))
   turned <- 2 * columns$rotation_rad_per_s * time_s
   new_table(c(
     lapply(columns[1:2], rep_len, n),
     list(
-      fall_time_s = time_s, deflection_east_m = direction$deflection_east_m,
-      deflection_north_m = direction$deflection_north_m,
-      first_order_east_m = direction$first_order_east_m,
+      fall_time_s = time_s, deflection_east_m = path$deflection_east_m,
+      deflection_north_m = path$deflection_north_m,
+      first_order_east_m = path$first_order_east_m,
       # 1 - y^2/20 < 6 (y - sin y)/y^3 < 1
       first_order_error = rep_len(turned^2 / 20, n)
     )

@@ -152,8 +152,8 @@ surface_plot <- function(shape, grid, paths, colours, labels, title, said, base_
     line(path[!path$seen, ], colour = colours, alpha = 0.3, linewidth = width) +
     line(lines[lines$seen, ], colour = "grey75", linewidth = 0.3)
   if (length(dashed)) {
-    difference <- gather(dashed, "dashed")
-    plot <- plot + line(difference[difference$seen, ], colour = "grey30", linetype = "42",
+    dashes <- gather(dashed, "dashed")
+    plot <- plot + line(dashes[dashes$seen, ], colour = "grey30", linetype = "42",
       linewidth = 0.4)
   }
   plot +

@@ -112,10 +112,10 @@ check_race_column <- function(x, name, call) {
   lower <- known$lower
   upper <- known$upper %||% Inf
   open <- isTRUE(known$open)
-  maximum <- suppressWarnings(range(x, na.rm = TRUE))
+  ends <- suppressWarnings(range(x, na.rm = TRUE))
   if (!length(x) || all(is.na(x))) return(invisible())
-  fine <- maximum[1] >= lower && maximum[2] <= upper && !(open && maximum[1] <= lower) &&
-    (all(is.finite(maximum)) || isTRUE(known$infinite))
+  fine <- ends[1] >= lower && ends[2] <= upper && !(open && ends[1] <= lower) &&
+    (all(is.finite(ends)) || isTRUE(known$infinite))
   if (fine) return(invisible())
   outside <- x < lower | x > upper | (open & x <= lower) |
     (is.infinite(x) & !isTRUE(known$infinite))

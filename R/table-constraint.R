@@ -186,14 +186,14 @@ fixed_words <- function(id, ...) {
 
 # The largest rate between the rows, too, of one body; the last values.
 table_summary <- function(state, x, run) {
-  maximum <- if ("omega_rad_per_s" %in% state && is.null(constraint_of(run$scene)$index)) {
+  extremes <- if ("omega_rad_per_s" %in% state && is.null(constraint_of(run$scene)$index)) {
     found <- largest_values(x, run, "omega_rad_per_s", NULL)
     list(
       max_omega_rad_per_s = found$value[["omega_rad_per_s"]] %||% NA_real_,
       max_omega_time_s = found$time_s[["omega_rad_per_s"]] %||% NA_real_
     )
   }
-  c(maximum, lapply(
+  c(extremes, lapply(
     stats::setNames(state, paste0("final_", state)), function(column) last(x[[column]])
   ))
 }

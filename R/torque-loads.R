@@ -234,7 +234,7 @@ torque_steps_of <- function(torque, arg, call) {
   n <- length(time)
   outside <- loads$knots$outside
   if (n == 0L) return(list(time_s = double(), torque_n_m = outside[1]))
-  difference <- which(diff(time) > 0)
-  if (any(value[difference] != value[difference + 1L])) refuse()
-  list(time_s = time[c(difference, n)], torque_n_m = c(outside[1], value[difference], outside[2]))
+  distinct <- which(diff(time) > 0)
+  if (any(value[distinct] != value[distinct + 1L])) refuse()
+  list(time_s = time[c(distinct, n)], torque_n_m = c(outside[1], value[distinct], outside[2]))
 }

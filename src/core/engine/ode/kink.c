@@ -45,7 +45,7 @@ static double parabola_zero(const double d[3]) {
 
 /* The parabolas through three values on the left and on the right of a point, 1, 3 and 5 away:
  * their difference at -1, 0 and 1. */
-static void difference_parabolas(const double l[SIDE], const double r[SIDE], double d[3]) {
+static void subtract_parabolas(const double l[SIDE], const double r[SIDE], double d[3]) {
   d[0] = (3.0 * r[0] - 3.0 * r[1] + r[2]) - l[0];
   d[1] = (1.875 * r[0] - 1.25 * r[1] + 0.375 * r[2]) - (1.875 * l[0] - 1.25 * l[1] + 0.375 * l[2]);
   d[2] = r[0] - (3.0 * l[0] - 3.0 * l[1] + l[2]);
@@ -125,7 +125,7 @@ static rot_status kink_along(const path *w, double t, size_t i, size_t k, double
                    &f[j / SIDE][j % SIDE]);
     if (status != ROT_OK) return status;
   }
-  difference_parabolas(f[0], f[1], d);
+  subtract_parabolas(f[0], f[1], d);
   *strength = fabs(d[2] - d[0]);
   *x += difference * (2.0 * parabola_zero(d) - 1.0);
   return ROT_OK;

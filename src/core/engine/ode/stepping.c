@@ -207,7 +207,7 @@ static void begin(rot_ode_stepping *run, double end, int forward, int first_mode
 }
 
 /* To the end of this side, all breaks on the way. */
-static rot_status stepping(rot_ode_stepping *run) {
+static rot_status step_to_end(rot_ode_stepping *run) {
   const rot_ode_params *p = run->p;
   rot_ode_clock *clock = &run->clock;
   rot_ode_state *state = &run->state;
@@ -256,7 +256,7 @@ static rot_status step_to_both_sides(rot_ode_stepping *run, rot_ode_job *job) {
     if (reference && reference->count && !reference->ended)
       end = rot_ode_node(reference, reference->count - 1)[0];
     begin(run, end, forward, job->first_mode);
-    status = stepping(run);
+    status = step_to_end(run);
     run->trace->ended = run->state.phase == ROT_ODE_ENDED;
   }
   return status;

@@ -339,7 +339,7 @@ static rot_status go(run *r, int forward, size_t first, size_t end) {
 }
 
 /* Backward in time, then forward. */
-static rot_status stepping(run *r) {
+static rot_status step_to_end(run *r) {
   size_t before = 0;
   while (before < r->n && r->time_s[before] < r->s.p->start_s) before++;
   note_size(r, r->start);
@@ -483,10 +483,10 @@ rot_status rot_free_step_through(const rot_free_params *p, const rot_free_step_o
   half.from = r.to;
   half.to = 1.0;
   info->method = options->method;
-  info->status = stepping(&r);
+  info->status = step_to_end(&r);
   if (info->status == ROT_ERHS && (p->law || p->motors)) info->status = ROT_ETORQUE;
   if (info->status != ROT_EUNWIND) {
-    const rot_status second = stepping(&half);
+    const rot_status second = step_to_end(&half);
     if (second == ROT_EUNWIND) info->status = second;
   }
   info->time_s = info->status == ROT_OK ? (n ? time_s[n - 1] : p->start_s) : r.failed_s;
