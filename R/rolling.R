@@ -227,7 +227,8 @@ by_row <- function(which, columns, call) {
 # The speed alone can overflow, and not below g h = 1e300.
 warn_fast <- function(values, columns, n, call) {
   largest_of <- function(x) max(x, 0, na.rm = TRUE)
-  if (largest_of(columns$height_drop_m) < 1e300 / max(1, largest_of(columns$gravity_m_per_s2))) return()
+  gravity <- max(1, largest_of(columns$gravity_m_per_s2))
+  if (largest_of(columns$height_drop_m) < 1e300 / gravity) return()
   warn_beyond(values["final_speed_m_per_s"], columns, n, call)
 }
 
