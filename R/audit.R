@@ -114,6 +114,7 @@ look_closer <- function(run) {
 }
 
 new_audit <- function(balances) {
+  if (!length(balances)) return(new_audit(list(no_balance("", NA_character_, "")))[0L, ])
   column <- function(name) {
     unlist(lapply(balances, `[[`, name), use.names = FALSE)
   }
@@ -164,6 +165,10 @@ print.rot_audit <- function(x, ..., digits = 4) {
   }
   verdict <- if (all(x$verdict %in% "balanced")) "balanced" else
     if ("unbalanced" %in% x$verdict) "unbalanced" else NA
+  if (!nrow(x)) {
+    cat("<rot_audit> nothing to balance: the scene does not name what is conserved\n")
+    return(invisible(x))
+  }
   cat("<rot_audit> ", verdict, "\n", sep = "")
   for (i in seq_len(nrow(x))) {
     unit <- x$unit[i]

@@ -821,3 +821,29 @@ falling_rod_meanings <- c(omega_rad_per_s = "angular velocity of the fall")
 free_rates <- function(of) paste0("omega_", of, c("x", "y", "z"), "_rad_per_s")
 
 free_momenta <- paste0("angular_momentum_", c("x", "y", "z"), "_kg_m2_per_s")
+
+# ---- units of names -----------------------------------------------------------------------------
+
+# The unit in which a name ends, as this package writes units: `theta_rad`, `v_m_per_s`; "1": none.
+unit_of_name <- function(name) {
+  found <- spelled_units()
+  ends <- endsWith(name, paste0("_", names(found)))
+  if (any(ends)) found[ends][[which.max(nchar(names(found)[ends]))]] else "1"
+}
+
+# Names without their units.
+without_unit <- function(names) {
+  words <- names(spelled_units())
+  vapply(names, function(name) {
+    ends <- words[endsWith(name, paste0("_", words))]
+    if (length(ends)) substr(name, 1L, nchar(name) - max(nchar(ends)) - 1L) else name
+  }, "", USE.NAMES = FALSE)
+}
+
+# The units of the dictionary by their spelling in names.
+spelled_units <- function() {
+  units <- unique(column_table()$unit)
+  units <- units[!units %in% c("", "1", "degree")]
+  words <- gsub("[ .]", "_", gsub("/", "_per_", gsub("^", "", tolower(units), fixed = TRUE)))
+  stats::setNames(c(units, "degree"), c(words, "deg"))
+}

@@ -21,6 +21,10 @@
 #   event_rows    NULL, or TRUE: a trajectory has the column `event`, and a run that is asked with
 #                 event_rows = TRUE also gives event_rows, list(columns, ledger): the rows at the
 #                 times of its events
+#   of_scene(scene, record)   NULL, or the record for one scene: where columns, keys, measures or
+#                 panels are those that its user named; it must take damaged scenes
+#   named         of such a record: the names of columns and measures by those in the core's table
+#   remedies      NULL, or by kind what to do about a run that failed, see R/run-report.R
 #   quick         TRUE where neither more_columns nor ends has a part in the scenes
 #   ends(scene, columns)   NULL, or the text that says from when on the model is not valid; columns:
 #                 those of a motion, or NULL
@@ -52,7 +56,7 @@ constraint_list <- function() {
   list(
     axle_constraint(), rotors_constraint(), clutch_constraint(), drive_constraint(),
     incline_constraint(), free_constraint(), pivot_constraint(), hoop_constraint(),
-    chain_constraint()
+    chain_constraint(), equations_constraint()
   )
 }
 

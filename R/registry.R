@@ -5,7 +5,11 @@ registry <- new.env(parent = emptyenv())
 # listed: the classes of R/constraints.R, in its order; others: those of further constructors.
 joined <- new.env(parent = emptyenv())
 
-constraint_of <- function(scene) .subset2(registry, class(scene)[1L])
+constraint_of <- function(scene) {
+  record <- .subset2(registry, class(scene)[1L])
+  of_scene <- .subset2(record, "of_scene")
+  if (is.null(of_scene)) record else of_scene(scene, record)
+}
 
 # One record for each; that of the first constructor of its scenes.
 all_constraints <- function() {

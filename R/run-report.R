@@ -21,12 +21,13 @@ failed_run <- function(info, n, on_fail, call) {
     "The run failed at {format(info$time_s, digits = 7)} s: {info$text}.",
     i = "{info$rows_done} of {n} rows were done before."
   )
-  remedy <- switch(info$kind,
+  remedy <- info$remedy %||% switch(info$kind,
     torque = "Look at the torque function there, or end {.arg time_s} before.",
     budget = "Raise {.arg max_steps}, ask for less accuracy, or shorten the time. Resistance that
               acts much faster than the time asked for (inertia/viscous) takes many steps.",
     step = "The torque changes faster than time can be resolved (give its {.arg breaks_s}), or the
             motion grows without bound there.",
+    rhs = "Look at the function there, or end {.arg time_s} before.",
     range = "The motion grows beyond 1.8e308: shorten the time.",
     random = random_remedy,
     NULL

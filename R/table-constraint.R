@@ -131,12 +131,32 @@ run_table_model <- function(id, model, scene, time_s, control, call, looks) {
     solved <- with_found_breaks(scene, range(scene$start_s, time_s), call)
     laws <- table_laws(solved, call)
   }
-  result <- .Call(
-    ffi_scene_run, id, solved, model, time_s, control, laws, progress_bar("integrating")
-  )
-  if (looks) result$info$resolution <- control[4]
+  run <- function() {
+    .Call(ffi_scene_run, id, solved, model, time_s, control, laws, progress_bar("integrating"))
+  }
+  constraint <- constraint_of(scene)
+  calls_rates <- length(laws) &&
+    any(vapply(constraint$inputs, function(input) input$form == "rates", NA))
+  result <- if (calls_rates) hear_rates(run(), call) else run()
+  result$info$remedy <- constraint$remedies[[result$info$kind]]
+  if (!is.null(constraint$named)) result <- with_own_names(result, constraint$named)
+  if (looks && !(calls_rates && result$info$method == "radau")) {
+    result$info$resolution <- control[4]
+  }
   between <- core_table(id)$between
   if (!is.null(between)) result$events <- with_places(result$events, core_table(id)$index, between)
+  result
+}
+
+# Columns and measures under the names that the scene has for them.
+with_own_names <- function(result, named) {
+  own <- function(x) {
+    at <- match(names(x), names(named))
+    names(x)[!is.na(at)] <- named[at[!is.na(at)]]
+    x
+  }
+  result$columns <- own(result$columns)
+  result$info[c("errors", "sizes")] <- lapply(result$info[c("errors", "sizes")], own)
   result
 }
 

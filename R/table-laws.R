@@ -16,6 +16,7 @@ table_laws <- function(scene, call) {
   inputs <- constraint_of(scene)$inputs
   laws <- function(x, name) {
     form <- inputs[[name]]$form
+    if (form == "rates") return(list(rates_law(x, scene, call)))
     part <- c(rotors = "rotor", laws = "rotor", brakes = "rotor", couplings = "coupling")[form]
     motor <- form %in% c("rotors", "laws", "brakes", "couplings")
     unit <- if (motor) "N*m" else inputs[[name]]$unit
@@ -93,7 +94,7 @@ with_found_breaks <- function(scene, span, call) {
   breaks <- names(Filter(function(one) one$form == "sorted", inputs))
   for (name in names(inputs)) {
     f <- .subset2(scene, name)
-    if (!is.function(f)) next
+    if (!is.function(f) || inputs[[name]]$form == "rates") next
     stops <- as.double(.subset2(scene, breaks))
     sampled <- sample_function(f, name, inputs[[name]], stops, resolution, span, call)
     if (is.null(sampled)) next

@@ -4,7 +4,7 @@
 #' and computes the motion in C. The result carries its model, its error and its [audit()].
 #'
 #' @param scene A scene: [scene_axle()], [scene_pendulum()], [scene_rotors()], [scene_clutch()],
-#'   [scene_drive()], [scene_incline()], [scene_free()], [scene_pivot()].
+#'   [scene_drive()], [scene_incline()], [scene_free()], [scene_pivot()], or [scene_equations()].
 #' @param time_s Output times in s, finite and not decreasing (repeated ones give repeated rows;
 #'   none gives no row). They need not contain the scene's `start_s`; earlier times are reached
 #'   backwards.
@@ -20,10 +20,10 @@
 #' @param max_steps Most steps that an integrator tries in one run, beyond one for each row.
 #' @param step_s Length of the steps in s, for models whose steps are of fixed length: explicit
 #'   Euler (`axle_euler`), semi-implicit Euler (`axle_semi_implicit`), Runge-Kutta of order 4
-#'   (`axle_rk4`); `drive_`, `incline_`, `hoop_`, `chain_`, `free_` and `pivot_` likewise, and
-#'   `free_split` and `pivot_split`. They run only where `model` names them. NULL: 1/64 of the
-#'   shortest time scale of the scene at its start (a decay, a swing), 1/1000 of the span where it
-#'   has none. Of bodies that turn freely or about a point: of the time
+#'   (`axle_rk4`); `drive_`, `incline_`, `hoop_`, `chain_`, `free_`, `pivot_` and `equations_`
+#'   likewise, and `free_split` and `pivot_split`. They run only where `model` names them. NULL:
+#'   1/64 of the shortest time scale of the scene at its start (a decay, a swing), 1/1000 of the
+#'   span where it has none. Of bodies that turn freely or about a point: of the time
 #'   \eqn{2\pi/\nu}{2 pi/nu} the 64th part, of `_split` the 32nd, with
 #'   \eqn{\nu = |\omega_0| + \sqrt{\tau/I} + \gamma}{nu = |omega0| + sqrt(tau/I) + damping}, the
 #'   largest torque and the least moment. A step ends at each break of a law and at each event that

@@ -25,8 +25,9 @@
 #' @param peers A named list of functions of `scene`, `time_s` and `accuracy`. Each returns a list
 #'   with the columns of the scene's measures (on an axle `theta_rad` and `omega_rad_per_s`), one
 #'   number for each time, and may add `rhs_calls`, `steps` and `error` (relative, its own figure).
-#' @param reference NULL; or a `rot_trajectory` of the same times; or a list with the same columns
-#'   and their relative `error`.
+#' @param reference NULL; or a `rot_trajectory` of the same times, also of another scene with these
+#'   columns; or a list with the same columns and their relative `error`; or a function of the times
+#'   that returns such a list (without `error`: 0).
 #' @param min_batch_s Least processor time of a batch in s, at most 3600.
 #' @param batches Batches that count, at most 10000.
 #' @return A `rot_work_precision`, with an `autoplot()`: a tibble with a row for each model or peer
@@ -240,10 +241,26 @@ measure_columns <- function(constraint) {
 
 truth_of_run <- function(motion, constraint, time_s) {
   run <- trajectory_run(motion)
-  new_truth(
-    run$model, run$accuracy, columns_at(motion, measure_columns(constraint), constraint, time_s),
-    run$info$sizes, run$info$error
-  )
+  columns <- columns_at(motion, measure_columns(constraint), constraint, time_s)
+  sizes <- run$info$sizes
+  known <- constraint_of(run$scene)$measures
+  if (!identical(names(constraint$measures), names(known))) { # another scene's
+    of_rows <- sizes_of(columns, constraint)
+    sizes <- vapply(names(constraint$measures), function(name) {
+      same <- vapply(known, function(m) identical(m$columns, constraint$measures[[name]]$columns),
+                     NA)
+      max(of_rows[[name]], sizes[names(known)[same]])
+    }, double(1))
+  }
+  new_truth(run$model, run$accuracy, columns, sizes, run$info$error)
+}
+
+# The sizes of the measures of rows.
+sizes_of <- function(columns, constraint) {
+  vapply(constraint$measures, function(m) {
+    zero <- lapply(columns[m$columns], function(x) 0 * x)
+    largest(m$distance(do.call(cbind, columns[m$columns]), do.call(cbind, zero)))
+  }, double(1))
 }
 
 # Columns of a trajectory without the rows that its events added.
@@ -297,6 +314,10 @@ given_reference <- function(scene, time_s, reference, constraint, call) {
   columns <- measure_columns(constraint)
   if (inherits(reference, "rot_trajectory")) {
     each <- if (is.null(constraint$index)) 1L else constraint$rows_per_time(scene)
+    lacks <- setdiff(columns, names(reference))
+    if (length(lacks)) {
+      abort_rotdyn("The {.arg reference} must have the columns {.field {columns}}.", "value", call)
+    }
     times <- as.double(reference$time_s)
     if (!is.null(constraint$event_rows)) times <- times[match(time_s, times)]
     if (!identical(times, rep(time_s, each = each))) {
@@ -309,10 +330,15 @@ given_reference <- function(scene, time_s, reference, constraint, call) {
     truth["name"] <- list(paste("given:", truth$name))
     return(truth)
   }
+  if (is.function(reference)) {
+    reference <- reference(time_s)
+    if (is.list(reference) && is.null(reference$error)) reference$error <- 0
+  }
   wanted <- c(columns, "error")
   if (!is.list(reference) || !all(wanted %in% names(reference))) {
     abort_rotdyn(c(
-      "{.arg reference} must be NULL, a {.cls rot_trajectory}, or a list with {.field {wanted}}.",
+      "{.arg reference} must be NULL, a {.cls rot_trajectory}, or a list with {.field {wanted}}, or
+       a function of the times that returns one.",
       x = "It is {describe_value(reference)}."
     ), "type", call)
   }
@@ -325,10 +351,7 @@ given_reference <- function(scene, time_s, reference, constraint, call) {
     abort_rotdyn("The {.arg reference} must have a row for each time.", "size", call)
   }
   new_truth(
-    "given", 0, values, vapply(constraint$measures, function(m) {
-      zero <- lapply(values[m$columns], function(x) 0 * x)
-      largest(m$distance(do.call(cbind, values[m$columns]), do.call(cbind, zero)))
-    }, double(1)),
+    "given", 0, values, sizes_of(values, constraint),
     check_number(reference[["error"]], "reference$error", "1", call, lower = 0, upper = 1)
   )
 }
@@ -413,7 +436,8 @@ model_report <- function(motion, columns, constraint, time_s) {
   info <- trajectory_run(motion)$info
   balance <- audit(motion)
   energy <- balance[balance$balance == "energy", ]
-  sizes <- abs(c(energy$change, energy$supplied, energy$dissipated, energy$terms[[1]]$value))
+  terms <- unlist(lapply(energy$terms, function(one) one$value))
+  sizes <- abs(c(energy$change, energy$supplied, energy$dissipated, terms))
   residual <- abs(energy$residual)
   list(
     columns = columns_at(motion, columns, constraint, time_s), error = info$error,
@@ -511,7 +535,9 @@ new_work_precision <- function(rows, constraint, scene, time_s, min_batch_s, bat
     columns, nrow = length(rows), class = "rot_work_precision",
     measured = list(
       rows = length(time_s),
-      torque = if (inherits(scene$torque, "rot_torque_function")) "an R function" else "in C",
+      law = if (is.function(.subset2(scene, "f"))) "right-hand side" else "torque",
+      torque = if (inherits(scene$torque, "rot_torque_function") ||
+                   is.function(.subset2(scene, "f"))) "an R function" else "in C",
       batches = batches,
       min_batch_s = min_batch_s,
       machine = paste0(R.version$platform, ", R ", getRversion())
@@ -537,7 +563,8 @@ tbl_sum.rot_work_precision <- function(x, ...) {
     "Reference" = describe_references(x),
     "Cost" = paste0(
       "processor time of ", format(how$rows, big.mark = ","), " rows, ", how$batches,
-      " batches of ", format(1000 * how$min_batch_s), " ms, torque ", how$torque
+      " batches of ", format(1000 * how$min_batch_s), " ms, ",
+      how$law %||% "torque", " ", how$torque
     ),
     "Machine" = how$machine
   )

@@ -16,8 +16,9 @@ lines=$(awk '
   c && /^[ \t]*\/\*/ { if (!/\*\//) open = 1; next }
   /[^ \t]/ { n++ }
   END { print n }' $own)
+names='(scene|rot|draw)_hoop|hoop_(constraint|frames)|scene/hoop'
 others=$(find R src -name '*.[Rch]' ! -name '*hoop*' -exec \
-  grep -HE '^[^#]*((scene|rot|draw)_hoop|hoop_(constraint|frames))|scene/hoop/' {} + |
+  grep -HE "^[^#]*($names)|#include .scene/hoop" {} + |
   cut -d: -f1 | sort -u)
 n=$(echo "$others" | wc -l)
 echo "constraint cost: $lines lines of code, named in $n other files:" $others

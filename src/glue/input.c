@@ -36,6 +36,7 @@ const char *ffi_input_form(const rot_input *input) {
                                      : "resistance";
   }
   if (kinds & ROT_INPUT_TABLE) return "torques";
+  if (kinds & ROT_INPUT_RATES) return "rates";
   if (kinds & ROT_INPUT_LAW) return kinds & ROT_INPUT_NUMBER ? "force" : "function";
   if (kinds & ROT_INPUT_CHOICE) return kinds & ROT_INPUT_VECTOR ? "vector_or_name" : "text";
   if (kinds & ROT_INPUT_TIMES) return "sorted";

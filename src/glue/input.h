@@ -23,7 +23,8 @@ SEXP ffi_input_plain(const rot_input *input, SEXP x, SEXP form);
 /* What such an input must be, in the words of R/form.R; or "body", "inertia" (a body or a number),
  * "changing" (or how it changes), "vector_or_name", "bodies" (numbers, or a list of these),
  * "tensor" (a body or three moments), "torque", "laws" (a list of these, with empty places),
- * "torques" (three numbers, a table, a function), "rotors", "resistance", and lists of
+ * "torques" (three numbers, a table, a function), "rates" (a function), "rotors",
+ * "resistance", and lists of
  * "resistances", "brakes", "couplings". */
 const char *ffi_input_form(const rot_input *input);
 

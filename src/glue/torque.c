@@ -19,6 +19,12 @@ ffi_torque ffi_torque_new(SEXP law, const rot_input *input, ffi_guard *guard) {
     out.n_values = rot_input_values(input);
   }
   const int given = Rf_length(call) - 1;
+  if (input && input->kinds & ROT_INPUT_RATES) { /* time and states, a number each */
+    if (given < 2 || given > FFI_LAW_NUMBERS) Rf_error("internal: `call`");
+    out.n_arguments = (size_t)given;
+    out.n_values = out.n_arguments - 1;
+    for (int i = 0; i < given; i++) out.size[i] = 1;
+  }
   if (given != 1 && given != (int)out.n_arguments) Rf_error("internal: `call`");
   return out;
 }

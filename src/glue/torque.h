@@ -5,14 +5,14 @@
 #include "glue/ffi.h"
 #include "engine/input.h"
 
-enum { FFI_LAW_NUMBERS = 8, FFI_LAW_VALUES = 3 };
+enum { FFI_LAW_VALUES = ROT_MAX_MEASURES, FFI_LAW_NUMBERS = 1 + FFI_LAW_VALUES };
 
 typedef struct ffi_torque {
   ffi_guard *guard;
   SEXP call;     /* f(time_s), or f(time_s, ...) with all arguments */
   SEXP env;      /* where f is */
   SEXP complain; /* complain(value, time_s): raises the error about what f returned */
-  size_t n_arguments, size[ROT_MAX_LAW_ARGUMENTS], n_values;
+  size_t n_arguments, size[FFI_LAW_NUMBERS], n_values;
   double x[FFI_LAW_NUMBERS], value[FFI_LAW_VALUES];
 } ffi_torque;
 

@@ -18,6 +18,10 @@ stepped_scenes <- function() {
     ),
     hoop = scene_hoop(1, 1, 3, theta0_rad = 1, static_friction = 0.02),
     chain = scene_chain(c(1, 1), 1, c(0.3, 0.5)),
+    equations = scene_equations(
+      function(theta_rad, omega_rad_per_s) c(omega_rad_per_s, -4 * sin(theta_rad)),
+      c(theta_rad = 1, omega_rad_per_s = 0), positions = "theta_rad"
+    ),
     free = scene_free(c(1, 2, 3), c(0.1, 2, 0.1)),
     top = scene_pivot(disk, c(0, 0, 60), pivot_m = c(0, 0, -0.1),
       attitude0 = attitude_from(c(1, 0, 0, 0.3), "axis_angle"))

@@ -136,6 +136,7 @@ test_that("a scene and its motion are introduced as what the user described", {
     "a double pendulum: two rods" = scene_chain(c(1, 1), 1, 0.1),
     "a chain of 3 point masses" = scene_chain(rep(1, 3), 1, 0.1, links = "points"),
     "a bead on a hoop that turns at 2 rad/s" = scene_hoop(1, 1, 2, theta0_rad = 0.1),
+    "equations of x and v" = scene_equations(function(x, v) c(v, -x), c(x = 1, v = 0)),
     "a free box" = scene_free(body_box(1, 0.1, 0.2, 0.3), c(0, 4, 0.1)),
     "a free body" = scene_free(c(1, 2, 3), c(0, 4, 0.1)),
     "a gyroscope or top: a disk with a fixed point" =

@@ -108,6 +108,8 @@ test_that("every scene comes back from text and computes the same bits", {
   known <- unlist(lapply(all_constraints(), function(constraint) {
     c(constraint$scene_class, names(constraint$makers))
   }))
+  # An R function has no text.
+  known <- setdiff(known, "rot_scene_equations")
   expect_setequal(unique(vapply(scenes, function(s) class(s)[1], "")), known)
   for (scene in scenes) {
     back <- expect_comes_back(scene)
@@ -122,7 +124,8 @@ test_that("every scene comes back from text and computes the same bits", {
 
 test_that("every constructor of scenes is written by some scene", {
   keys <- vapply(quiet(scenes_of_all()), function(s) names(scene_node(s, NULL))[2], "")
-  expect_setequal(unique(keys), grep("^scene_", names(text_readers()), value = TRUE))
+  written <- setdiff(grep("^scene_", names(text_readers()), value = TRUE), "scene_equations")
+  expect_setequal(unique(keys), written)
 })
 
 test_that("every body comes back", {

@@ -31,6 +31,7 @@ test_that("scenes of every constructor are updated", {
     scene_clutch(1, 2, 3, omega0_rad_per_s = c(1, 0)), scene_rotors(c(1, 2), 5),
     scene_drive(c(1, 2), coupling_gear(2)), scene_incline(body_disk(1, 0.1), 20),
     scene_free(c(1, 2, 3), c(1, 1, 1)), scene_hoop(1, 1, 3), scene_chain(c(1, 1), 1, 0.1),
+    scene_equations(function(x, v) c(v, -x), c(x = 1, v = 0), positions = "x"),
     scene_pivot(c(1, 1, 2), c(0, 0, 9), mass_kg = 1, centre_m = c(0, 0, 1))
   )
   for (scene in scenes) {

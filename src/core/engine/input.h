@@ -31,7 +31,8 @@ typedef enum rot_input_kind {
   ROT_INPUT_ROTOR = 262144,   /* that a body carries */
   ROT_INPUT_MOMENTS = 524288, /* principal moments, and their axes */
   ROT_INPUT_POINTS = 1048576, /* masses and their places */
-  ROT_INPUT_SIZES = 2097152   /* of a body, by name */
+  ROT_INPUT_SIZES = 2097152,  /* of a body, by name */
+  ROT_INPUT_RATES = 4194304   /* with a law: it gives a number for each that follows the time */
 } rot_input_kind;
 
 enum {
@@ -50,7 +51,8 @@ typedef struct rot_input {
   const char *words;
   /* Of a choice, the first is the default; the list ends with NULL. Of one number: the input whose
    * value is its default, and the most that it may be. Of a law: its arguments after the time, each
-   * with how many numbers it has ("attitude:4"); NULL: the position and the rate. */
+   * with how many numbers it has ("attitude:4"); NULL: the position and the rate, or the states of
+   * a law of rates. */
   const char *const *options;
 } rot_input;
 

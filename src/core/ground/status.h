@@ -54,7 +54,7 @@ typedef struct rot_measure {
   double high, low; /* extreme values, by models that call rot_note_state(); else -Inf and Inf */
 } rot_measure;
 
-enum { ROT_MAX_MEASURES = 8 };
+enum { ROT_MAX_MEASURES = 16 };
 
 /* The measures of bodies that turn about a fixed axis; the list of names ends with NULL. */
 enum { ROT_THETA, ROT_OMEGA };

@@ -9,6 +9,7 @@
 #include "scene/chain/chain.h"
 #include "scene/clutch/models.h"
 #include "scene/drive/models.h"
+#include "scene/equations/equations.h"
 #include "scene/free/models.h"
 #include "scene/hoop/hoop.h"
 #include "scene/incline/models.h"
@@ -17,9 +18,10 @@
 
 /* All constraints. */
 static const rot_constraint *const constraints[] = {
-    &rot_axle_constraint,  &rot_shaft_constraint,   &rot_clutch_constraint,
-    &rot_drive_constraint, &rot_incline_constraint, &rot_free_constraint,
-    &rot_pivot_constraint, &rot_hoop_constraint,    &rot_chain_constraint,
+    &rot_axle_constraint,      &rot_shaft_constraint,   &rot_clutch_constraint,
+    &rot_drive_constraint,     &rot_incline_constraint, &rot_free_constraint,
+    &rot_pivot_constraint,     &rot_hoop_constraint,    &rot_chain_constraint,
+    &rot_equations_constraint,
 };
 
 const rot_constraint *const *rot_choice_constraints(size_t *n) {

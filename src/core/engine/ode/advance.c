@@ -321,8 +321,9 @@ rot_status rot_ode_advance(rot_ode_stepping *run, double stop, double fraction,
   if (fabs(wish) > fabs(step->h) || plan.as_wished) step->h = wish;
   status = accept(run, *what == ROT_ODE_SAME_SIDE ? plan.target : t + h, error);
   if (status == ROT_OK && run->propagation) {
-    status = rot_ode_propagation_step(run->propagation, &run->law, state, run->trajectory,
-                                      run->clock.t - t, step->trial, PARTS);
+    const rot_ode_propagation_of of = {run->clock.t - t, step->trial, step->trial_slope, PARTS,
+                                       rot_ode_rows_within(&run->rows.out, t, run->clock.t)};
+    status = rot_ode_propagation_step(run->propagation, &run->law, state, run->trajectory, &of);
   }
   return status == ROT_OK && run->clock.t == run->kinks.before ? rot_ode_pass_kink(&run->kinks)
                                                                : status;

@@ -347,6 +347,8 @@ static rot_status solve(const rot_ode_params *p, rot_ode_surfaces *surfaces, rot
   const rot_info chosen = *info;
   if (chosen.status != ROT_OK) {
     cut_traces(&coarse, &coarse.rows.n);
+  } else if (p->fine_propagation && coarse.method == ROT_METHOD_RADAU) {
+    coarse.probes = NULL; /* its polynomials are too unsure of steep rates for a small figure */
   } else if (probes && out->n) {
     rot_ode_probes_range(probes, traces[0]);
   }

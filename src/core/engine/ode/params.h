@@ -90,6 +90,9 @@ typedef struct rot_ode_params {
    * are used at the last row alone, a step's end, where an axle's are 1e-4 of that. */
   int integrals_between;
   int expensive; /* rhs costs more than the arithmetic around it; it reads the state alone */
+  /* What rounding grows to is followed to order 4 in the step, and counts at the rows alone; steps
+   * of Radau are not looked at by probes. */
+  int fine_propagation;
   double step_s; /* > 0: of a method with steps of fixed length (engine/ode/fixed.h) */
   /* For the semi-implicit method: a step of length h to t, from `before`; y has the new rates, and
    * takes the new positions. */

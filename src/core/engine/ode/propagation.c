@@ -12,7 +12,7 @@ rot_ode_propagation *rot_ode_propagation_alloc(const rot_ode_params *p) {
   const size_t n = p->controlled, square = n * n;
   if (n > ROT_ODE_MAX_PROPAGATION) return NULL;
   rot_ode_propagation *g = calloc(1, sizeof *g);
-  double *data = calloc(4 * square + ROT_EXPM_WORK(n) + n + 2 * p->dim, sizeof *data);
+  double *data = calloc(4 * square + ROT_EXPM_WORK(n) + n + 6 * p->dim, sizeof *data);
   if (!g || !data) {
     free(g);
     free(data);
@@ -26,7 +26,11 @@ rot_ode_propagation *rot_ode_propagation_alloc(const rot_ode_params *p) {
   g->worst = data + 4 * square;
   g->y = g->worst + n;
   g->f = g->y + p->dim;
-  g->work = g->f + p->dim;
+  g->last_y = g->f + p->dim;
+  g->last_slope = g->last_y + p->dim;
+  g->mid_y = g->last_slope + p->dim;
+  g->mid_slope = g->mid_y + p->dim;
+  g->work = g->mid_slope + p->dim;
   return g;
 }
 
@@ -61,58 +65,139 @@ static int passes_surface(const rot_ode_law *law, size_t component, double to) {
   return 0;
 }
 
+/* Where a derivative is taken; `far`: another state of the step. */
+typedef struct place {
+  double t;
+  const double *y, *slope, *far, *largest;
+} place;
+
 /* The derivative of the slope by the state, from differences of a thousandth of the step. */
-static rot_status derivative(rot_ode_propagation *propagation, rot_ode_law *law,
-                             const rot_ode_state *state, rot_ode_trajectory *trajectory,
-                             const double before[], double d[]) {
+static rot_status derivative(rot_ode_propagation *propagation, rot_ode_law *law, const place *at,
+                             rot_ode_trajectory *trajectory, double d[]) {
   const rot_ode_params *p = law->p;
   const size_t n = p->controlled;
   double *y = propagation->y, *f = propagation->f;
-  memcpy(y, state->y, p->dim * sizeof *y);
+  memcpy(y, at->y, p->dim * sizeof *y);
   for (size_t m = 0; m < rot_ode_steering(p); m++) {
     const rot_ode_group g = rot_ode_group_of(p, m);
     double moved = 0.0, size = 0.0;
     for (size_t i = g.first; i < g.first + g.count; i++) {
-      moved = fmax(moved, fabs(state->y[i] - before[i]));
-      size = fmax(size, fabs(state->y[i]));
+      moved = fmax(moved, fabs(at->y[i] - at->far[i]));
+      size = fmax(size, fabs(at->y[i]));
     }
-    const double by = fmax(1e-3 * moved, 1e-8 * fmax(size, state->largest[m]));
+    const double by = fmax(1e-3 * moved, 1e-8 * fmax(size, at->largest[m]));
     for (size_t i = g.first; i < g.first + g.count; i++) {
-      y[i] = state->y[i] + (passes_surface(law, i, state->y[i] + by) ? -by : by);
-      const double step = y[i] - state->y[i];
+      y[i] = at->y[i] + (passes_surface(law, i, at->y[i] + by) ? -by : by);
+      const double step = y[i] - at->y[i];
       rot_status status = ROT_ERHS;
-      if (step != 0.0) status = rot_ode_slope_at(law, law->clock->t, y, f);
+      if (step != 0.0) status = rot_ode_slope_at(law, at->t, y, f);
       if (status != ROT_OK && status != ROT_ERHS) return status;
       double *all =
           trajectory ? trajectory->derivative + (trajectory->nodes.count - 1) * p->dim * n : NULL;
       for (size_t k = 0; k < p->dim && all && status == ROT_OK; k++) {
-        all[k * n + i] = (f[k] - state->slope[k]) / step;
+        all[k * n + i] = (f[k] - at->slope[k]) / step;
       }
       for (size_t k = 0; k < n; k++) {
-        d[k * n + i] = status == ROT_OK ? (f[k] - state->slope[k]) / step : 0.0;
+        d[k * n + i] = status == ROT_OK ? (f[k] - at->slope[k]) / step : 0.0;
       }
-      y[i] = state->y[i];
+      y[i] = at->y[i];
     }
   }
   law->status = ROT_OK;
   return ROT_OK;
 }
 
+/* c = a b - b a. */
+static void commutator(size_t n, const double a[], const double b[], double c[]) {
+  for (size_t i = 0; i < n; i++) {
+    for (size_t j = 0; j < n; j++) {
+      double sum = 0.0;
+      for (size_t k = 0; k < n; k++)
+        sum += a[i * n + k] * b[k * n + j] - b[i * n + k] * a[k * n + j];
+      c[i * n + j] = sum;
+    }
+  }
+}
+
+static double largest_of(size_t n, const double x[]) {
+  double max = 0.0;
+  for (size_t i = 0; i < n; i++) max = fmax(max, fabs(x[i]));
+  return max;
+}
+
+/* The exponent of the step to order 4, from the derivatives at its ends and in the middle: Blanes,
+ * Casas, Oteo & Ros, Physics Reports 470 (2009) 151, section 5. The commutator is left out where
+ * the series does not converge, in long implicit steps. */
+static rot_status fine_exponent(rot_ode_propagation *g, rot_ode_law *law,
+                                const rot_ode_state *state, const rot_ode_propagation_of *step) {
+  const rot_ode_params *p = law->p;
+  const size_t n = g->n, square = n * n;
+  const double t = law->clock->t, h = step->h;
+  const double *y = g->known ? g->last_y : step->before;
+  const double *slope = g->known ? g->last_slope : step->slope;
+  double *middle = g->work, *turn = g->work + square;
+  rot_status status = ROT_OK;
+  if (!g->known) {
+    const place start = {t - h, y, slope, state->y, state->largest};
+    status = derivative(g, law, &start, NULL, g->derivative0);
+  }
+  for (size_t i = 0; i < p->dim; i++) { /* of the cubic */
+    g->mid_y[i] = 0.5 * (y[i] + state->y[i]) + 0.125 * h * (slope[i] - state->slope[i]);
+  }
+  const double half = t - 0.5 * h;
+  if (status == ROT_OK) status = rot_ode_slope_at(law, half, g->mid_y, g->mid_slope);
+  if (status == ROT_ERHS) {
+    memcpy(middle, g->derivative1, square * sizeof *middle);
+    law->status = ROT_OK;
+  } else if (status == ROT_OK) {
+    const place at = {half, g->mid_y, g->mid_slope, state->y, state->largest};
+    status = derivative(g, law, &at, NULL, middle);
+  }
+  if (status != ROT_OK && status != ROT_ERHS) return status;
+  for (size_t i = 0; i < square; i++) {
+    g->map[i] = h / 6.0 * (g->derivative0[i] + 4.0 * middle[i] + g->derivative1[i]);
+  }
+  commutator(n, g->derivative0, g->derivative1, turn);
+  const double by = h * h / 12.0;
+  if (by * largest_of(square, turn) < 0.5 * largest_of(square, g->map)) {
+    for (size_t i = 0; i < square; i++) g->map[i] -= by * turn[i];
+  }
+  memcpy(g->last_y, state->y, p->dim * sizeof *g->last_y);
+  memcpy(g->last_slope, state->slope, p->dim * sizeof *g->last_slope);
+  return ROT_OK;
+}
+
+/* The rounding of each group as it is now. */
+static void note_worst(rot_ode_propagation *g, const rot_ode_params *p) {
+  for (size_t m = 0; m < rot_ode_steering(p); m++) {
+    const rot_ode_group group = rot_ode_group_of(p, m);
+    double sum = 0.0;
+    for (size_t i = group.first; i < group.first + group.count; i++) sum += g->spread[i * g->n + i];
+    if (group.norm == ROT_ODE_QUATERNION) sum *= 4.0;
+    const double now = sqrt(sum);
+    if (!(now <= g->worst[m])) g->worst[m] = now;
+  }
+}
+
 rot_status rot_ode_propagation_step(rot_ode_propagation *g, rot_ode_law *law,
                                     const rot_ode_state *state, rot_ode_trajectory *trajectory,
-                                    double h, const double before[], size_t parts) {
+                                    const rot_ode_propagation_of *step) {
   const rot_ode_params *p = law->p;
-  const size_t n = g->n;
+  const size_t n = g->n, parts = step->parts;
+  const double h = step->h, *before = step->before;
+  const place end = {law->clock->t, state->y, state->slope, before, state->largest};
   if (h == 0.0) return ROT_OK;
+  if (step->rows && p->fine_propagation) note_worst(g, p);
   double *swap = g->derivative0;
   g->derivative0 = g->derivative1;
   g->derivative1 = swap;
   rot_ode_stiffness *stiffness = law->stiffness;
   law->stiffness = NULL;
-  const rot_status status = derivative(g, law, state, trajectory, before, g->derivative1);
+  rot_status status = derivative(g, law, &end, trajectory, g->derivative1);
+  if (status == ROT_OK && p->fine_propagation) status = fine_exponent(g, law, state, step);
   law->stiffness = stiffness;
   if (status != ROT_OK) return status;
-  for (size_t i = 0; i < n * n; i++) {
+  for (size_t i = 0; i < n * n && !p->fine_propagation; i++) {
     const double mean =
         g->known ? 0.5 * (g->derivative0[i] + g->derivative1[i]) : g->derivative1[i];
     g->map[i] = h * mean;
@@ -132,17 +217,14 @@ rot_status rot_ode_propagation_step(rot_ode_propagation *g, rot_ode_law *law,
   rot_expm_multiply(n, left, turned, g->spread, NULL);
   for (size_t m = 0; m < rot_ode_steering(p); m++) {
     const rot_ode_group group = rot_ode_group_of(p, m);
-    double size = 0.0, sum = 0.0;
+    double size = 0.0;
     for (size_t i = group.first; i < group.first + group.count; i++) {
       size = fmax(size, fmax(fabs(state->y[i]), fabs(before[i])));
     }
     for (size_t i = group.first; i < group.first + group.count; i++) {
       g->spread[i * n + i] += (double)parts * (ROT_EPS * size) * (ROT_EPS * size);
-      sum += g->spread[i * n + i];
     }
-    if (group.norm == ROT_ODE_QUATERNION) sum *= 4.0;
-    const double now = sqrt(sum);
-    if (!(now <= g->worst[m])) g->worst[m] = now;
   }
+  if (step->rows || !p->fine_propagation) note_worst(g, p);
   return ROT_OK;
 }

@@ -15,6 +15,8 @@ typedef struct rot_ode_propagation {
   double *spread, *derivative0, *derivative1, *map, *work; /* n x n each, but work */
   double *y, *f;                                           /* dim each */
   double *worst;                                           /* of each group */
+  /* For the order 4: state and slope at the end of the step before, and in the middle; dim each. */
+  double *last_y, *last_slope, *mid_y, *mid_slope;
 } rot_ode_propagation;
 
 /* NULL without memory or with too many components. */
@@ -27,10 +29,16 @@ void rot_ode_propagation_begin(rot_ode_propagation *g);
 void rot_ode_propagation_new_segment(rot_ode_propagation *g);
 /* A component is held constant from here on. */
 void rot_ode_propagation_hold(rot_ode_propagation *g, size_t component);
-/* A step of length h from `before` was accepted, of which the result makes `parts`. The kept nodes,
- * or NULL, take the derivatives. */
+/* A step of length h was accepted: its start with the slope there. */
+typedef struct rot_ode_propagation_of {
+  double h;
+  const double *before, *slope;
+  size_t parts; /* steps of the result in it */
+  int rows;     /* some rows lie within it */
+} rot_ode_propagation_of;
+/* The kept nodes, or NULL, take the derivatives. */
 rot_status rot_ode_propagation_step(rot_ode_propagation *g, rot_ode_law *law,
                                     const rot_ode_state *state, rot_ode_trajectory *trajectory,
-                                    double h, const double before[], size_t parts);
+                                    const rot_ode_propagation_of *step);
 
 #endif

@@ -4,6 +4,12 @@
 #include <string.h>
 
 #include "engine/ode/norm.h"
+#include "ground/search.h"
+
+int rot_ode_rows_within(const rot_ode_output *out, double a, double b) {
+  const size_t first = rot_lower_bound(out->n, out->time_s, fmin(a, b));
+  return first < out->n && out->time_s[first] <= fmax(a, b);
+}
 
 static size_t row_now(const rot_ode_rows *r) {
   return r->clock->forward ? r->out.before + r->done : r->out.before - 1 - r->done;

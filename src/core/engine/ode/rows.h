@@ -14,6 +14,9 @@ typedef struct rot_ode_output {
   double *error, *largest;
 } rot_ode_output;
 
+/* Whether some row lies between two times, or at one of them. */
+int rot_ode_rows_within(const rot_ode_output *out, double a, double b);
+
 typedef struct rot_ode_rows {
   const rot_ode_clock *clock;
   const rot_ode_state *state;
