@@ -27,12 +27,12 @@ rot_shape_fault rot_shape_check(const rot_shape *shape, const double size[], int
 }
 
 /* Exponent of the ratio of sizes above which each size needs a separate scale. */
-#define WIDE_RANGE 400
+#define RANGE_BITS 400
 
-/* size => sizes scaled to near 1, their exponent; *wide: 1 if one scale is not enough. Sizes
+/* size => sizes scaled to near 1, their exponent; *separate: 1 if one scale is not enough. Sizes
  * between 2^-60 and 2^60 are not scaled: no form of body/shapes_geometry.c over- or underflows. */
 static int scale_sizes(const rot_shape *shape, const double size[], double scaled[ROT_SIZES],
-                       int *wide) {
+                       int *separate) {
   double big = 0.0, small = 1.0;
   for (int k = 0; k < shape->sizes; k++) {
     const double a = fabs(size[k]);
@@ -42,11 +42,11 @@ static int scale_sizes(const rot_shape *shape, const double size[], double scale
     if (a > 0.0 && a < small) small = a;
   }
   int e = 0, min = 0;
-  *wide = 0;
+  *separate = 0;
   if ((big <= 0x1p60 && small >= 0x1p-60) || !(big > 0.0) || isinf(big)) return 0;
   (void)frexp(big, &e);
   (void)frexp(small, &min);
-  *wide = e - min > WIDE_RANGE;
+  *separate = e - min > RANGE_BITS;
   for (int k = 0; k < shape->sizes; k++) {
     if (rot_size_at((int)shape->size[k])->kind != ROT_KIND_COUNT) scaled[k] = ldexp(size[k], -e);
   }
@@ -81,7 +81,7 @@ static void widen(const rot_shape *shape, const double size[], scaled_geometry *
     (void)frexp(size[j], &e);
     if (rot_size_at((int)shape->size[j])->kind == ROT_KIND_COUNT || !(fabs(size[j]) > 0.0))
       continue;
-    if (g->e - e <= WIDE_RANGE) continue;
+    if (g->e - e <= RANGE_BITS) continue;
     for (int k = 0; k < shape->sizes; k++) {
       const int counts = rot_size_at((int)shape->size[k])->kind == ROT_KIND_COUNT;
       scaled[k] = counts ? size[k] : fmax(fmin(ldexp(size[k], -e), 0x1p400), -0x1p400);
@@ -99,11 +99,11 @@ static void widen(const rot_shape *shape, const double size[], scaled_geometry *
 
 static void geometry_of(const rot_shape *shape, const double size[], scaled_geometry *g) {
   double scaled[ROT_SIZES] = {0.0};
-  int wide;
-  g->e = scale_sizes(shape, size, scaled, &wide);
+  int separate;
+  g->e = scale_sizes(shape, size, scaled, &separate);
   shape->geometry(scaled, &g->is);
   for (int k = 0; k < 3; k++) g->of[k] = g->e;
-  if (wide) widen(shape, size, g);
+  if (separate) widen(shape, size, g);
 }
 
 static double second_of(const scaled_geometry *g, double mass, int k) {
