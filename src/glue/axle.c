@@ -62,8 +62,8 @@ SEXP ffi_axle_period(SEXP list) {
   return out;
 }
 
-/* numbers = c(size, impulse, growth) of a torque, see scene/axle/drop.h => c(theta, omega), bounds
- * of the changes due to it */
+/* numbers = c(size, impulse, growth) of a torque => c(theta, omega), the changes due to it: see
+ * scene/axle/drop.h */
 SEXP ffi_axle_disturbance(SEXP scene, SEXP time_s, SEXP numbers) {
   static const char *const names[] = {"theta", "omega"};
   const rot_axle_scene *axle = axle_scene(scene);

@@ -2,8 +2,8 @@
 #include "glue/ffi.h"
 #include "scene/free/exact.h"
 
-/* three columns of principal moments, three of rates => times of flips; NA for impossible numbers
- */
+/* three columns of principal moments, three of rates => times between flips; NA for impossible
+ * numbers */
 SEXP ffi_free_flips(SEXP moments, SEXP rates) {
   rot_column moment[3], rate[3];
   R_xlen_t n = 1;

@@ -1,4 +1,4 @@
-/* Values of R as the inputs of the core. */
+/* Values of R => inputs of the core. */
 #ifndef FFI_INPUT_H
 #define FFI_INPUT_H
 

@@ -41,7 +41,8 @@ SEXP ffi_precession(SEXP list) {
   return out;
 }
 
-/* columns: axial moment, transverse moment, mass, lever arm, gravity => spins of sleeping tops */
+/* columns: axial moment, transverse moment, mass, lever arm, gravity => min spins of stable upright
+ * (sleeping) tops */
 SEXP ffi_precession_sleeps(SEXP list) {
   rot_column in[5];
   const R_xlen_t n = ffi_columns_of(list, 5, in);

@@ -392,7 +392,7 @@ static rot_status build_numbers(const rot_part *part, const rot_given given[], r
   if (!rot_inertia_possible(body->second_kg_m2)) {
     return rot_refuse(no, SECOND, "is of no body: a second moment along an axis is below 0");
   }
-  /* Shapes with an axle of their own (rod end, point): the origin of the shape, as moved. */
+  /* The axle of a rod end and of a point is at the origin of the shape, as moved. */
   if (given[SHAPE].is == ROT_INPUT_CHOICE && given[PROVENANCE].is == ROT_INPUT_CHOICE) {
     rot_input_vector(&given[FRAME_AT], body->axle_m);
   }

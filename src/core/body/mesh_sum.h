@@ -54,6 +54,7 @@ typedef struct mesh_source {
   rot_pair centre[3];
 } mesh_source;
 
+/* => addresses of the mesh, origin `centre` */
 ROT_INLINE mesh_source open_source(const rot_mesh *mesh, const double centre[3]) {
   const double *x = mesh->xyz;
   const int *c = mesh->corner;
@@ -154,6 +155,7 @@ ROT_INLINE void add_weighted(rot_pair sum[], const mesh_face *f, rot_pair w) {
   sum[NORMAL + 2] += f->n[2];
 }
 
+/* Adds x, y, z and w times x, y, z to the sums for displacements. */
 ROT_INLINE void add_flux(rot_pair sum[], rot_pair x, rot_pair y, rot_pair z, rot_pair w) {
   sum[FLUX] += x;
   sum[FLUX + 1] += y;

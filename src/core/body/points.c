@@ -255,9 +255,9 @@ void rot_moments_join(const rot_moments *a, const rot_moments *b, rot_moments *o
     out->error = 0.0;
     return;
   }
-  const double difference[3] = {reduced, d_max, d_max}, slipped[3] = {reduced, 2.0 * d_max, slip};
+  const double separation[3] = {reduced, d_max, d_max}, slipped[3] = {reduced, 2.0 * d_max, slip};
   out->error = p.error * (trace_of(p.c) / trace) + q.error * (trace_of(q.c) / trace) +
-               (12.0 * ROT_EPS + p.mass_error + q.mass_error) * rot_product(3, difference, trace) +
+               (12.0 * ROT_EPS + p.mass_error + q.mass_error) * rot_product(3, separation, trace) +
                rot_product(3, slipped, trace) + 2.0 * ROT_EPS;
 }
 

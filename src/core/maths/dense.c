@@ -116,8 +116,7 @@ static double product_at(const rot_dense_form *form, double x, double *rise) {
 void rot_dense_correct(rot_dense_form *form, double slope) {
   const double x = correction_at[form->corrections];
   double now, rise;
-  if (form->corrections >
-      0) { /* the new term leaves the slope at the correction before unchanged */
+  if (form->corrections > 0) { /* the new term keeps the slope at the previous correction */
     const double before = correction_at[form->corrections - 1];
     form->terms--;
     const double product = product_at(form, before, &rise);

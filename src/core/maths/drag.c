@@ -61,7 +61,7 @@ rot_drag rot_drag_from(const rot_drag_law *law, double omega0, double span_s) {
   flow.b = ratio(law->viscous_n_m_s, 0.0, I, p, &b_lo);
   flow.k = ratio(law->quadratic_n_m_s2, 0.0, I, p + q, &k_lo);
   flow.omega0 = scaled(omega0, -q);
-  /* D to twice the precision: where a < 0 the two parts may all but cancel. */
+  /* D to twice the precision: for a < 0 the two parts may nearly cancel. */
   const double bb = rot_two_prod(0.5 * flow.b, 0.5 * flow.b, &bb_lo);
   const double ak = rot_two_prod(flow.a, flow.k, &ak_lo);
   double d = rot_two_sum(bb, ak, &d_lo);
@@ -131,7 +131,7 @@ static parts settling(const rot_drag *f, double t, double t_lo) {
     return out;
   }
   double e = exp(-x);
-  if (isfinite(x)) e -= e * x_lo; /* without the residual E is off by x/2 units of roundoff */
+  if (isfinite(x)) e -= e * x_lo; /* without the residual E has an error of x/2 roundoff units */
   const double gone = 1.0 - e, half = 0.5 * f->b / f->s;
   const double slow = f->rest * (f->k / f->s); /* 1 - b/(2 s) without the difference */
   const double lower = (1.0 + e) + f->slope / f->s * gone, driven = f->a / f->s * gone;

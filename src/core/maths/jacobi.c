@@ -229,8 +229,8 @@ rot_dd rot_jacobi_argument(const rot_jacobi *jacobi, double sn, double cn, doubl
   } else {
     u.hi = argument(s, cn, dn);
     *error = 8.0 * ROT_EPS * u.hi;
-    if (u.hi >
-        0.5 * jacobi->k.hi) { /* sn(K - u) = cn/dn, cn(K - u) = k' sn/dn, dn(K - u) = k'/dn */
+    /* sn(K - u) = cn/dn, cn(K - u) = k' sn/dn, dn(K - u) = k'/dn */
+    if (u.hi > 0.5 * jacobi->k.hi) {
       const double w = argument(cn / dn, k1 * (s / dn), k1 / dn);
       u = rot_dd_add1(jacobi->k, -w);
       *error = 8.0 * ROT_EPS * w;

@@ -154,7 +154,7 @@ static void halve(work *w, size_t i) {
 }
 
 /* Halves panels until each is good or the work is spent; adds them to the results. */
-static rot_status go(work *w) {
+static rot_status refine(work *w) {
   const rot_panels *p = w->p;
   size_t left = MAX + 4 * p->n;
   for (size_t i = 0; i < p->n; i++) w->open[i] = (panel){p->edge_s[i], p->edge_s[i + 1], i};
@@ -201,7 +201,7 @@ rot_status rot_panels_integrate(const rot_panels *p, rot_panels_rates rates, voi
   if (status == ROT_OK) {
     w.f = w.time_s + nodes;
     w.total = w.f + nodes * p->width;
-    status = go(&w);
+    status = refine(&w);
   }
   free(w.time_s);
   free(w.open);

@@ -22,6 +22,7 @@ typedef struct rot_radau rot_radau;
 
 /* => work space for dim components; NULL: no memory */
 rot_radau *rot_radau_alloc(size_t dim, size_t controlled);
+/* Frees it; r may be NULL. */
 void rot_radau_free(rot_radau *r);
 
 enum { ROT_RADAU_OK, ROT_RADAU_DIVERGED = -1000 };

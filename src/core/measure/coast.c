@@ -120,7 +120,7 @@ static const rule rules[3] = {
 
 /* Advances theta, omega and the derivatives by h, x = rate h <= 0.4. The poles of the integrands
  * are at a distance of 1/x steps, so the error is (x/4)^(2 points), below 1e-15. */
-static void pass(coast *c, double h, double x) {
+static void step_by(coast *c, double h, double x) {
   const rule *gauss = rules + (x < 0.002 ? 0 : x < 0.025 ? 1 : 2);
   const double D = c->D, T = slow_time(D, h), u = c->u;
   const double half = 0.5 * c->b, slope = half + c->k * u, far = 1.0 + slope * T;
@@ -183,7 +183,7 @@ static rot_status advance(coast *c, double t) {
     const double rate = fmax(s, fabs(0.5 * c->b + c->k * c->u));
     if (steps == MAX_STEPS || !isfinite(rate)) return ROT_ERANGE;
     const double step = rate * left <= 0.4 ? left : 0.4 / rate;
-    pass(c, step, rate * step);
+    step_by(c, step, rate * step);
     left -= step;
   }
   if (c->exact && ++c->steps % FRESH == 0) {

@@ -101,7 +101,7 @@ typedef struct rot_smooth_jump {
   double after_covariance[3];   /* its covariance: 11, 12, 22 */
 } rot_smooth_jump;
 
-/* filter results => jumps at n breaks, by the smoother; a node that is not a break is unchanged */
+/* filter results => jumps at n breaks, by the smoother; elements at a start are unchanged */
 void rot_smooth_jumps(const rot_smooth_nodes *nodes, const rot_smooth_model *model,
                       const rot_smooth_store *store, size_t n, rot_smooth_jump jumps[]);
 

@@ -16,7 +16,7 @@ static const double kink_level = 10.0, kink_shows = 30.0;
 enum { IMPACT = 1, SWITCH = 2, KINK = 3 }; /* the first diffuse state */
 enum {
   FROM_END = 4,   /* min samples between a break and an end or another break */
-  DIFFERENCE = 5, /* min samples between new breaks */
+  SPACING = 5,    /* min samples between new breaks */
   NEIGHBOURS = 2, /* samples compared with an outlier on each side */
   POINTS = 20,    /* of a grid of times */
   ROUNDS = 400    /* max changes */
@@ -321,9 +321,9 @@ static size_t leave_out(finding *of) {
   return left;
 }
 
-/* => sample with the largest score above `level`, at least `difference` samples from breaks and
+/* => sample with the largest score above `level`, at least `spacing` samples from breaks and
  * `inside` samples from the ends of its segment; n if none */
-static size_t highest(const finding *of, const double *score, double level, size_t difference,
+static size_t highest(const finding *of, const double *score, double level, size_t spacing,
                       size_t inside, const unsigned char *tried) {
   const size_t n = of->record->n;
   size_t best = n, b = 0;
@@ -334,8 +334,8 @@ static size_t highest(const finding *of, const double *score, double level, size
         i >= inside && i + inside < n && segment_of(of, i - inside) == segment_of(of, i + inside);
     for (b = 0; b < of->n_breaks && free_of; b++) {
       if (of->breaks[b].segment != segment_of(of, i)) continue;
-      const size_t low = i >= difference ? i - difference : 0,
-                   high = i + difference < n ? i + difference : n - 1;
+      const size_t low = i >= spacing ? i - spacing : 0,
+                   high = i + spacing < n ? i + spacing : n - 1;
       const double t = of->breaks[b].time_s;
       free_of = t < of->record->time_s[low] || t > of->record->time_s[high];
     }
@@ -434,9 +434,8 @@ static rot_status put_kink(finding *of, size_t k, size_t *at, double *score) {
 }
 
 static size_t next_kink(const finding *of) {
-  const size_t difference =
-      DIFFERENCE + 2 * (size_t)fmin(memory_of(&of->fit), (double)of->record->n);
-  return highest(of, of->kink, kink_level, difference, difference, of->no_kink);
+  const size_t spacing = SPACING + 2 * (size_t)fmin(memory_of(&of->fit), (double)of->record->n);
+  return highest(of, of->kink, kink_level, spacing, spacing, of->no_kink);
 }
 
 /* Adds kinks of the acceleration, where the torque's slope jumps: one significant alone, or two
@@ -488,7 +487,7 @@ static rot_status settle(finding *of, size_t given, size_t *changes) {
       continue;
     }
     if (!of->how->breaks || of->n_breaks - given >= of->how->max_breaks) return ROT_OK;
-    const size_t k = highest(of, of->shock, shock_level, DIFFERENCE, 0, of->tried);
+    const size_t k = highest(of, of->shock, shock_level, SPACING, 0, of->tried);
     /* A shock that a kink explains nearly as well is first tried as a kink. */
     if (k == of->record->n || of->shock[k] - of->kink[k] < 0.5 * shock_level) {
       int more;

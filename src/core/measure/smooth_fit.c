@@ -404,7 +404,7 @@ static rot_status next_order(search *of, const rot_smooth_fit *fit, rot_smooth_f
     const double a = at[0] - at[1], c = at[2] - at[1];
     const double fa = (value[0] - value[1]) / a, fc = (value[2] - value[1]) / c;
     double by = 0.5 * (a * fc - c * fa) / (fc - fa);
-    /* A third of the longer side at most, and a third of `width` at least. */
+    /* At most 0.4 of the longer side, at least half of `width`. */
     if (!(by > 0.4 * a && by < 0.4 * c)) by = 0.4 * (by > 0.0 || !(by < 0.0) ? c : a);
     if (fabs(by) < width / 2.0) by = c > -a ? width / 2.0 : -width / 2.0;
     const double tried = try_at(of, order, at[1] + by);

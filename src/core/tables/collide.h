@@ -17,7 +17,7 @@ typedef struct rot_collide_input {
   rot_collide_body body[2];
   double normal[3];   /* out of body 2, into body 1; any length > 0 */
   double restitution; /* 0 to 1 */
-  double friction;    /* >= 0 */
+  double friction;    /* 0 to Inf */
   rot_restitution law;
 } rot_collide_input;
 

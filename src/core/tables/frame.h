@@ -13,7 +13,7 @@
 typedef struct rot_projectile_input {
   double omega_rad_per_s;  /* of the planet */
   double latitude_deg;     /* -90 to 90 */
-  double gravity_m_per_s2; /* >= 0 */
+  double gravity_m_per_s2; /* > 0 */
   double v_m_per_s[3];     /* at the start */
   double time_s;
 } rot_projectile_input;

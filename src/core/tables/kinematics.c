@@ -180,10 +180,10 @@ static rot_motion_kind from_start_time_angle(double x[ROT_MOTION_SIZE]) {
     x[ROT_MOTION_OMEGA] = x[ROT_MOTION_OMEGA0];
     return ROT_MOTION_UNDETERMINED;
   }
-  const extended direction =
-      times(before, t); /* omega t = 2 theta - omega0 t: one division, at the end */
-  x[ROT_MOTION_OMEGA] = narrow(over(plus(scaled(theta, 1), minus(direction)), t));
-  x[ROT_MOTION_ALPHA] = narrow(scaled(over(plus(theta, minus(direction)), times(t, t)), 1));
+  /* omega t = 2 theta - omega0 t: one division, at the end. */
+  const extended turned = times(before, t);
+  x[ROT_MOTION_OMEGA] = narrow(over(plus(scaled(theta, 1), minus(turned)), t));
+  x[ROT_MOTION_ALPHA] = narrow(scaled(over(plus(theta, minus(turned)), times(t, t)), 1));
   return ROT_MOTION_ONE;
 }
 

@@ -21,9 +21,9 @@
 typedef struct rot_rolling_disk {
   double mass_kg;          /* > 0 */
   double radius_m;         /* > 0 */
-  double axial;            /* axial moment over m r^2, > 0 */
-  double transverse;       /* transverse moment over m r^2, > 0 */
-  double gravity_m_per_s2; /* > 0 */
+  double axial;            /* axial moment over m r^2 */
+  double transverse;       /* transverse moment over m r^2 */
+  double gravity_m_per_s2; /* >= 0 */
   /* At time 0 the heading is x and the axis, for zero lean, is y; a positive lean raises the axis
    * towards z. omega = spin axis + yaw z + lean rate x. */
   double lean_rad, spin_rad_per_s, yaw_rad_per_s, lean_rad_per_s;
