@@ -4,7 +4,7 @@
 
 enum { MAX = ROT_FORM_MAX };
 
-/* The columns of a list, recycled; returns how many. */
+/* list => columns, common number of rows *n; returns the count of columns */
 static int read_columns(SEXP list, rot_column columns[], R_xlen_t *n) {
   if (TYPEOF(list) != VECSXP || XLENGTH(list) > MAX) Rf_error("internal: no list of columns");
   const int count = (int)XLENGTH(list);
@@ -23,7 +23,7 @@ static rot_attitude_form form_of(SEXP form) {
   return (rot_attitude_form)code;
 }
 
-/* c(axis, axis, axis, intrinsic), or NULL for the forms that need none. */
+/* c(axis, axis, axis, intrinsic), used by Euler angles only => sequence */
 static rot_euler sequence_of(SEXP x, rot_attitude_form form) {
   rot_euler out = {{0, 1, 2}, 0};
   if (form != ROT_FORM_EULER) return out;
@@ -45,7 +45,7 @@ static int any_nan(int n, const double x[]) {
   return 0;
 }
 
-/* list(qw, qx, qy, qz, off): off is what was corrected. A row with NaN is NA. */
+/* => list(qw, qx, qy, qz, off) with the size `off` of the correction; a row with NaN is NA */
 SEXP ffi_attitude_from(SEXP form, SEXP columns, SEXP sequence) {
   static const char *const names[] = {"qw", "qx", "qy", "qz", "off"};
   rot_column in[MAX];
@@ -67,7 +67,7 @@ SEXP ffi_attitude_from(SEXP form, SEXP columns, SEXP sequence) {
   return list;
 }
 
-/* The columns of a form, and a logical one: gimbal lock. Quaternions are of unit length. */
+/* unit quaternions => columns of a form and a logical column, gimbal lock */
 SEXP ffi_attitude_to(SEXP form, SEXP quaternion, SEXP sequence) {
   rot_column in[MAX];
   R_xlen_t n;
@@ -93,8 +93,8 @@ SEXP ffi_attitude_to(SEXP form, SEXP quaternion, SEXP sequence) {
   return list;
 }
 
-/* Of two attitudes, 4 columns each: which = 1: the product, 2: the part `fraction` (a ninth column)
- * of the way, 3: their angle. */
+/* Two attitudes of 4 columns => which = 1: product, 2: interpolation at a fraction (ninth column),
+ * 3: angle of the rotation between them. */
 SEXP ffi_attitude_pair(SEXP which, SEXP columns) {
   static const char *const names[] = {"qw", "qx", "qy", "qz"};
   static const char *const angle[] = {"angle_rad"};
@@ -118,7 +118,7 @@ SEXP ffi_attitude_pair(SEXP which, SEXP columns) {
   return list;
 }
 
-/* 4 columns of attitudes, 3 of vectors: these in space, or in the body. */
+/* 4 columns of attitudes, 3 of vectors => the vectors in space, or in the body */
 SEXP ffi_attitude_turn(SEXP columns, SEXP to_space) {
   static const char *const names[] = {"x", "y", "z"};
   rot_column in[MAX];

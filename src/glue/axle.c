@@ -10,7 +10,7 @@
 #include "scene/axle/models.h"
 #include "scene/axle/period.h"
 
-/* A scene on an axle, by any constructor. */
+/* scene of any constructor on an axle => its struct */
 static const rot_axle_scene *axle_scene(SEXP list) {
   const rot_axle_built *built = ffi_scene_build(&rot_axle_constraint, list);
   return &built->scene;
@@ -18,7 +18,7 @@ static const rot_axle_scene *axle_scene(SEXP list) {
 
 /* ---- single questions ------------------------------------------------------------------------ */
 
-/* list(applied_torque_n_m, damping_torque_n_m, net_torque_n_m) in the states of these rows. */
+/* rows of states => list(applied_torque_n_m, damping_torque_n_m, net_torque_n_m) */
 SEXP ffi_axle_torques(SEXP list, SEXP time_s, SEXP theta_rad, SEXP omega_rad_per_s) {
   static const char *const names[] = {"applied_torque_n_m", "damping_torque_n_m", "net_torque_n_m",
                                       ""};
@@ -35,7 +35,7 @@ SEXP ffi_axle_torques(SEXP list, SEXP time_s, SEXP theta_rad, SEXP omega_rad_per
   return out;
 }
 
-/* c(time of the last stop, angle there, terminal omega) */
+/* => c(time of the last stop, angle there, terminal omega) */
 SEXP ffi_axle_stopping(SEXP list) {
   const rot_axle_scene *scene = axle_scene(list);
   double x[] = {NA_REAL, NA_REAL, rot_axle_drag_terminal(scene)};
@@ -43,7 +43,7 @@ SEXP ffi_axle_stopping(SEXP list) {
   return ffi_numbers(3, x);
 }
 
-/* list(kind, period_s, amplitude_rad, ratio) */
+/* => list(kind, period_s, amplitude_rad, ratio) */
 SEXP ffi_axle_period(SEXP list) {
   static const char *const kinds[] = {
 #define X(code, name) name,
@@ -62,8 +62,8 @@ SEXP ffi_axle_period(SEXP list) {
   return out;
 }
 
-/* c(theta, omega): the change due to a torque, numbers = c(size, impulse, growth), see
- * scene/axle/drop.h. */
+/* numbers = c(size, impulse, growth) of a torque => c(theta, omega), the changes due to it: see
+ * scene/axle/drop.h */
 SEXP ffi_axle_disturbance(SEXP scene, SEXP time_s, SEXP numbers) {
   static const char *const names[] = {"theta", "omega"};
   const rot_axle_scene *axle = axle_scene(scene);

@@ -1,4 +1,4 @@
-/* For R: many axles, a row each. */
+/* For R: many axles, one per row. */
 #include "glue/run.h"
 #include "glue/scene.h"
 #include "scene/axle/drag.h"
@@ -10,9 +10,9 @@
 #include "scene/choice.h"
 #include "ground/parallel.h"
 
-/* Rows of a scene by the closed form `id`. `list` has named columns, each of one value or one for
- * each row, that replace the scene's numbers; the viscous coefficient of "axle_linear" includes the
- * motor's. Gives list(columns, status, info); the status of a good row is 0. */
+/* scene, columns `rows_in` => list(columns, status, info) by the closed form `id`. The named
+ * columns, each of one value or one per row, replace the scene's numbers; the viscous coefficient
+ * of "axle_linear" includes the motor's. Status 0: the row is valid. */
 SEXP ffi_axle_sweep(SEXP id, SEXP list, SEXP rows_in, SEXP threads, SEXP progress) {
   static const char *const names[] = {ROT_AXLE_SWEEP_COLUMNS(FFI_COLUMN_NAME) ""};
   static const char *const parts[] = {"columns", "status", "info", ""};

@@ -2,8 +2,8 @@
 #include "glue/ffi.h"
 #include "scene/chain/chain.h"
 
-/* list(omega_rad_per_s, shape): by mode, slowest first, and n x n, link by mode, the largest 1;
- * NULL where they are beyond double precision. As many lengths as masses. */
+/* n lengths, n masses => list(omega_rad_per_s, shape): increasing angular frequencies; n x n, link
+ * by mode, largest element 1. NULL if they exceed double precision. */
 SEXP ffi_chain_modes(SEXP length_m, SEXP mass_kg, SEXP rods, SEXP gravity) {
   const double *length = ffi_reals(length_m, "length_m", -1);
   const R_xlen_t n = XLENGTH(length_m);
@@ -11,7 +11,7 @@ SEXP ffi_chain_modes(SEXP length_m, SEXP mass_kg, SEXP rods, SEXP gravity) {
   SEXP out = PROTECT(Rf_allocVector(VECSXP, 2)), rate, shape;
   SET_VECTOR_ELT(out, 0, rate = Rf_allocVector(REALSXP, n));
   SET_VECTOR_ELT(out, 1, shape = Rf_allocMatrix(REALSXP, (int)n, (int)n));
-  /* By rows in the core, by columns in R. */
+  /* Matrices are stored by rows in the core, by columns in R. */
   double *by_rows = (double *)R_alloc((size_t)(n * n) + 1, sizeof *by_rows);
   const rot_status status = rot_chain_modes(length, mass, (size_t)n, ffi_real(rods, "rods") != 0.0,
                                             ffi_real(gravity, "gravity"), REAL(rate), by_rows);

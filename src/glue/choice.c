@@ -29,7 +29,7 @@ static const char *kind_text(const rot_model *model) {
   return model->error_kind == ROT_BOUND ? "bound" : "estimate";
 }
 
-/* Names of effects. */
+/* bits of effects => their names */
 static SEXP effect_names(const rot_constraint *constraint, unsigned effects) {
   R_xlen_t n = 0;
   for (size_t i = 0; i < constraint->n_effects; i++) n += effects >> i & 1u;
@@ -41,7 +41,7 @@ static SEXP effect_names(const rot_constraint *constraint, unsigned effects) {
   return out;
 }
 
-/* NULL, or list(effects, until_s, errors, error, each). */
+/* candidate => NULL, or list(effects, until_s, errors, error, each) of the effects left out */
 static SEXP dropped_list(const rot_constraint *constraint, const rot_candidate *c) {
   static const char *const names[] = {"effects", "until_s", "errors", "error", "each", ""};
   size_t n_measures = 0;
@@ -62,7 +62,7 @@ static SEXP dropped_list(const rot_constraint *constraint, const rot_candidate *
   return out;
 }
 
-/* NA where it takes the scene unchanged. */
+/* => why a candidate does not take the scene unchanged; NA if it does */
 static SEXP reason_text(const rot_constraint *constraint, const rot_candidate *c) {
   char text[1024];
   rot_choice_reason(constraint, c, sizeof text, text);
@@ -71,7 +71,7 @@ static SEXP reason_text(const rot_constraint *constraint, const rot_candidate *c
 
 /* ---- entries --------------------------------------------------------------------------------- */
 
-/* Named words of every effect of a constraint; with a scene, the names of those that act in it. */
+/* constraint => description of each effect, named; with a scene: names of the effects in it */
 SEXP ffi_choice_effects(SEXP constraint, SEXP scene) {
   question q;
   if (!Rf_isNull(scene)) {
@@ -90,7 +90,7 @@ SEXP ffi_choice_effects(SEXP constraint, SEXP scene) {
   return out;
 }
 
-/* A column for each field of the models of the core. */
+/* => list of all models of the core, a column for each field */
 SEXP ffi_choice_models(void) {
   static const char *const names[] = {"model",    "constraint", "error", "error_kind",
                                       "on_trial", "why",        "takes", ""};
@@ -117,7 +117,7 @@ SEXP ffi_choice_models(void) {
   return out;
 }
 
-/* A column for each field of the candidates, cheapest first; R/choice.R says what they are. */
+/* => list of the candidates, cheapest first, a column for each field: see R/choice.R */
 SEXP ffi_choice_table(SEXP constraint, SEXP scene, SEXP time_s, SEXP accuracy, SEXP law_s) {
   static const char *const names[] = {"model",  "applies", "error",   "error_kind",
                                       "cost_s", "reason",  "dropped", ""};
@@ -142,7 +142,7 @@ SEXP ffi_choice_table(SEXP constraint, SEXP scene, SEXP time_s, SEXP accuracy, S
   return out;
 }
 
-/* list(model, dropped, applies, reason): see R/choice.R. `model` is NULL or the one asked for. */
+/* => list(model, dropped, applies, reason): see R/choice.R. `model`: NULL, or a required model. */
 SEXP ffi_choice_pick(SEXP constraint, SEXP scene, SEXP time_s, SEXP accuracy, SEXP law_s,
                      SEXP model) {
   static const char *const names[] = {"model", "dropped", "applies", "reason", ""};

@@ -4,6 +4,7 @@
 #include "glue/ffi.h"
 #include "scene/clutch/clutch.h"
 
+/* seven columns => columns of the engagement; NA for a row with NA */
 SEXP ffi_clutch_engagement(SEXP inertia_1, SEXP inertia_2, SEXP capacity, SEXP torque_1,
                            SEXP torque_2, SEXP omega_1, SEXP omega_2) {
   static const char *const names[] = {"lock_time_s", "common_omega_rad_per_s", "heat_j",

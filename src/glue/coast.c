@@ -1,4 +1,4 @@
-/* For R: coast-downs: rows with derivatives, fits. */
+/* For R: rows of coast-downs with derivatives; fits. */
 #include "measure/coast.h"
 
 #include <string.h>
@@ -19,7 +19,7 @@ static rot_coast_load read_load(SEXP list) {
                           ffi_numbers_of(list, "step_ratio", n)};
 }
 
-/* theta, omega and their derivatives, a row of P numbers for each time. */
+/* => theta, omega and their derivatives, P numbers for each time */
 SEXP ffi_coast_rows(SEXP list, SEXP parameters, SEXP start, SEXP times) {
   static const char *const names[] = {"theta", "omega", "d_theta", "d_omega", "status", ""};
   const rot_coast_load load = read_load(list);
@@ -35,8 +35,8 @@ SEXP ffi_coast_rows(SEXP list, SEXP parameters, SEXP start, SEXP times) {
   return ffi_vectors(5, names, parts);
 }
 
-/* `search`: 1 to find the noise, 0 to take that of the list. The fit without bounds, then that with
- * them. */
+/* => unbounded fit, then fit with losses >= 0. `search`: 1 to estimate the noise, 0 to use that of
+ * the list. */
 SEXP ffi_coast_fit(SEXP list, SEXP search) {
   static const char *const names[] = {
       "p", "covariance", "numbers", "bounded", "bounded_numbers", "residual", "factor", ""};

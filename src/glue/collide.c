@@ -4,7 +4,7 @@
 #include "glue/run.h"
 #include "body/inertia.h"
 
-/* A matrix of one row, or of a row for each collision. */
+/* A matrix with one row, or one row per collision. */
 typedef struct block {
   const double *x;
   R_xlen_t rows;
@@ -44,8 +44,8 @@ static void party_of(SEXP list, R_xlen_t n, party *p) {
   p->omega = block_of(list, "omega", 3, n);
 }
 
-/* Principal moments and axes in space. A second moment at rounding level of the largest is that of
- * a body without extent. */
+/* => body of collision i with principal moments and axes in space; returns 0 for NA. A second
+ * moment at rounding level of the largest counts as 0. */
 static int body_of(party *p, R_xlen_t i, rot_collide_body *body) {
   double c[ROT_TENSOR], turn[9];
   int known = 1;
@@ -79,7 +79,8 @@ static int body_of(party *p, R_xlen_t i, rot_collide_body *body) {
 
 enum { MAX_COLUMNS = 20 };
 
-/* Of n collisions: the two bodies (NULL: a fixed obstacle), normals, coefficients, the law. */
+/* two bodies (second NULL: a fixed obstacle), normals, coefficients, law of n collisions => list(
+ * columns, first invalid rows) */
 SEXP ffi_collide(SEXP first, SEXP second, SEXP contact, SEXP rows) {
   static const char *const one[] = {"vx_1_m_per_s",        "vy_1_m_per_s",
                                     "vz_1_m_per_s",        "omega_x_1_rad_per_s",
@@ -106,7 +107,7 @@ SEXP ffi_collide(SEXP first, SEXP second, SEXP contact, SEXP rows) {
   for (int k = 0; k < 6 && bodies == 2; k++) names[columns++] = two[k];
   for (int k = 0; k < 8; k++) names[columns++] = rest[k];
   SEXP out = ffi_columns(columns, names, n, c);
-  double bad[2] = {0.0, 0.0}; /* the first row of each kind, from 1 */
+  double bad[2] = {0.0, 0.0}; /* first invalid row of each kind, from 1; 0: none */
   for (R_xlen_t i = 0; i < n; i++) {
     rot_collide_input in = {.law = (rot_restitution)law};
     rot_collide_end end;

@@ -2,7 +2,7 @@
 #include "glue/ffi.h"
 #include "body/density.h"
 
-/* kind, low, high, stretch */
+/* c(kind, low, high, stretch) => domain */
 static rot_domain read_domain(SEXP x) {
   const double *v = ffi_reals(x, "domain", 10);
   if (!(v[0] >= 0.0 && v[0] < (double)ROT_DOMAIN_COUNT)) Rf_error("internal: no such domain");
@@ -30,7 +30,7 @@ SEXP ffi_density_exponent(SEXP domain) {
 
 SEXP ffi_density_size(SEXP n) { return Rf_ScalarReal((double)rot_rule_size(read_size(n, "n"))); }
 
-/* Nodes and weights on [-1, 1]: evenly spaced or Gauss's. */
+/* n => nodes and weights on [-1, 1], evenly spaced or Gauss-Legendre */
 SEXP ffi_density_rule(SEXP n, SEXP even) {
   static const char *const names[] = {"t", "w"};
   const size_t size = read_size(n, "n");
@@ -71,7 +71,7 @@ SEXP ffi_density_nodes(SEXP domain, SEXP rules, SEXP from, SEXP count) {
   return out;
 }
 
-/* key: seed and replicate */
+/* => nodes `from` on of the strata; key: seed, replicate */
 SEXP ffi_density_strata(SEXP domain, SEXP side, SEXP key, SEXP from, SEXP count) {
   const rot_domain d = read_domain(domain);
   const double *k = ffi_reals(key, "key", 2);

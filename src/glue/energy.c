@@ -2,6 +2,7 @@
 #include "glue/ffi.h"
 #include "tables/energy.h"
 
+/* four columns, recycled => columns of energies */
 SEXP ffi_energy_partition(SEXP mass, SEXP radius, SEXP beta, SEXP speed) {
   static const char *const names[] = {"moment_of_inertia_kg_m2", "omega_rad_per_s",
                                       "translational_kinetic_energy_j",

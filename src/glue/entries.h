@@ -1,4 +1,4 @@
-/* Every routine that R may call, with its number of arguments. Listed once, here. */
+/* All routines that R calls, with their numbers of arguments. */
 X(ffi_attitude_from, 3)
 X(ffi_attitude_pair, 2)
 X(ffi_attitude_to, 3)

@@ -26,7 +26,7 @@ static void land(void *data, Rboolean jump) {
 rot_status ffi_guarded(ffi_guard *guard, SEXP (*body)(void *), void *data, SEXP *value) {
   if (setjmp(guard->landing)) return ROT_EUNWIND;
   SEXP result = R_UnwindProtect(body, data, land, guard, guard->token);
-  SETCAR(guard->token, R_NilValue); /* or the token keeps the result alive */
+  SETCAR(guard->token, R_NilValue); /* else the token keeps the result alive */
   if (value) *value = result;
   return ROT_OK;
 }
@@ -36,8 +36,8 @@ typedef struct poll_call {
   double fraction;
 } poll_call;
 
-/* R looks at the limits of setTimeLimit() in one of six calls. In the first that is left to the
- * progress bar the limit ended inside the display, which caught it, and the run went on. */
+/* R checks the limits of setTimeLimit() in one of six calls. If that call happens in the progress
+ * display, the display catches the error and the run continues. */
 enum { LOOKS = 6 };
 
 static SEXP poll_r(void *data) {
@@ -51,8 +51,8 @@ static SEXP poll_r(void *data) {
   return R_NilValue;
 }
 
-/* Polls R at most 20 times a second: in some front ends polling each time costs 15 times the
- * work. */
+/* Polls R at most 20 times per second: in some front ends each poll would cost 15 times the work.
+ */
 static rot_status poll(void *ctx, double fraction) {
   ffi_guard *guard = ctx;
   const double now = monotonic_s();
@@ -138,8 +138,8 @@ int ffi_row_of(const rot_column in[], int n, R_xlen_t i, double x[]) {
   return known;
 }
 
-/* A first touch costs a page fault, half the time of a large table (1e7 rolling rows: 0.15 of 0.28
- * s). Ask for huge pages in the part of a large column that they can cover. */
+/* Requests huge pages for the part of a large column that they can cover. Page faults at first
+ * access are half the time of a large table (1e7 rolling rows: 0.15 of 0.28 s). */
 static void use_huge_pages(void *start, size_t bytes) {
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
   const uintptr_t huge = (uintptr_t)1 << 21;

@@ -1,10 +1,10 @@
-/* For R: bytes and lines into files and descriptors. */
+/* For R: writes bytes and lines to files and descriptors. */
 #include <string.h>
 
 #include "glue/ffi.h"
 #include "ground/file.h"
 
-/* Bytes, or lines of text, each with an end. */
+/* Adds bytes, or lines of text with a newline after each. */
 static void add_all(rot_file *file, SEXP x) {
   if (TYPEOF(x) == RAWSXP) {
     rot_file_add(file, RAW(x), (size_t)XLENGTH(x));
@@ -20,8 +20,8 @@ static void add_all(rot_file *file, SEXP x) {
   }
 }
 
-/* Writes a file by its name, or a descriptor by its number, at once. Returns "", or what is wrong.
- * A pipe whose reader left is an error of R's own, raised by its signal handler. */
+/* Writes x to a file (by name) or a descriptor (by number). Returns "", or the error. A pipe
+ * without reader is an R error, raised by R's signal handler. */
 SEXP ffi_file_write(SEXP to, SEXP x) {
   rot_file *file = (rot_file *)R_alloc(1, sizeof *file);
   if (TYPEOF(to) == INTSXP && XLENGTH(to) == 1) {

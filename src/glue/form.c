@@ -1,4 +1,4 @@
-/* For R: whether an object has the parts of its form. */
+/* For R: checks that an object has the parts of its form. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -6,9 +6,9 @@
 #include "glue/ffi.h"
 #include "glue/law.h"
 
-/* Whether an object has the parts that its class promises, by a form (R/form.R lists its words). A
- * invalid object, an edited one or one of another version is an error of the caller, which R
- * reports at the door of a verb; behind it nothing is checked again. */
+/* A form describes the parts of the objects of a class (R/form.R lists its words). An invalid
+ * object (edited, or of another version) is an error of the caller. R reports it at the entry of
+ * its exported functions; internal functions do not check again. */
 
 typedef struct fault {
   char path[120]; /* of the part that does not fit; "" for the object itself */
@@ -40,10 +40,10 @@ static int no_text_missing(SEXP x) {
   return 1;
 }
 
-/* `word` has n letters. */
+/* 1 if x is of the kind named by the first n letters of `word`. */
 static int has_kind(SEXP x, const char *word, size_t n) {
   const int type = TYPEOF(x);
-  /* Arithmetic on a number of a class is that class's own: a date has no product. */
+  /* A number with a class has the arithmetic of the class: dates have no product. */
   if (Rf_isObject(x) && (type == REALSXP || type == INTSXP || type == LGLSXP)) return 0;
 #define IS(text) (n == sizeof text - 1 && !memcmp(word, text, n))
   if (IS("number")) return type == REALSXP && XLENGTH(x) == 1 && R_FINITE(REAL_RO(x)[0]);
@@ -66,7 +66,7 @@ static int has_kind(SEXP x, const char *word, size_t n) {
   Rf_error("internal: no kind of part is called `%s`", word);
 }
 
-/* word[:length][=sibling[-1]][?] */
+/* 1 if x fits a word of the form kind[:length][=sibling[-1]][?]. */
 static int fits_word(SEXP x, const char *text, SEXP parent) {
   const size_t n = strcspn(text, ":=?");
   if (strchr(text, '?') && Rf_isNull(x)) return 1;
@@ -83,7 +83,7 @@ static int fits_word(SEXP x, const char *text, SEXP parent) {
   return 1;
 }
 
-/* Puts the name of a part before the path of what does not fit in it. */
+/* Prepends the name of a part to the path of the fault in it. */
 static int put_before(const char *name, fault *at) {
   char rest[sizeof at->path];
   memcpy(rest, at->path, sizeof rest);
@@ -91,8 +91,8 @@ static int put_before(const char *name, fault *at) {
   return 0;
 }
 
-/* The part called `name`. Names are cached strings, so equal ones are at one address; ffi_element()
- * compares letters, for a name in another encoding. */
+/* name => part of x. R caches strings, so equal names have equal addresses; ffi_element() compares
+ * the letters, for a name in another encoding. */
 static SEXP part_of(SEXP x, SEXP names_of_x, SEXP name) {
   const R_xlen_t n = TYPEOF(names_of_x) == STRSXP ? XLENGTH(names_of_x) : 0;
   for (R_xlen_t i = 0; i < n; i++) {
@@ -101,8 +101,8 @@ static SEXP part_of(SEXP x, SEXP names_of_x, SEXP name) {
   return ffi_element(x, CHAR(name));
 }
 
-/* A form is a word or a list of forms by the names of the parts; names with a dot say more. Where x
- * does not fit, *at has the path. */
+/* 1 if x fits the form, else 0 and the path in *at. A form is a word, or a list of forms by names
+ * of parts; names with a dot are further conditions. */
 static int fits(SEXP x, SEXP form, SEXP parent, fault *at) {
   if (TYPEOF(form) == STRSXP) return fits_word(x, ffi_text(form, "form"), parent);
   const SEXP names = Rf_getAttrib(form, R_NamesSymbol);
@@ -137,7 +137,7 @@ static int fits(SEXP x, SEXP form, SEXP parent, fault *at) {
   return 1;
 }
 
-/* NULL where x has the form; else the path of the part that has not, "" for x itself. */
+/* => NULL if x fits the form; else the path of the part that does not, "" for x itself */
 SEXP ffi_form_fault(SEXP x, SEXP form) {
   fault at = {""};
   return fits(x, form, R_NilValue, &at) ? R_NilValue : Rf_mkString(at.path);

@@ -5,7 +5,7 @@
 
 enum { MAX_COLUMNS = 12 };
 
-/* Columns: time, latitude, velocity east, north, up, gravity, rate of rotation. */
+/* columns: time, latitude, velocity east, north, up, gravity, rate of rotation => 13 columns */
 SEXP ffi_frame_projectile(SEXP list) {
   static const char *const names[] = {"east_m",
                                       "north_m",
@@ -40,7 +40,7 @@ SEXP ffi_frame_projectile(SEXP list) {
   return out;
 }
 
-/* Columns: rate of rotation, latitude, gravity, height. */
+/* columns: rate of rotation, latitude, gravity, height => times */
 SEXP ffi_frame_fall_time(SEXP list) {
   rot_column in[4];
   double x[4];
@@ -54,7 +54,8 @@ SEXP ffi_frame_fall_time(SEXP list) {
   return out;
 }
 
-/* Columns: rate of rotation, latitude, gravity, length, east, north, velocities, time. */
+/* columns: rate of rotation, latitude, gravity, length, east, north, velocities, time => position,
+ * velocity, rate of the plane */
 SEXP ffi_frame_foucault(SEXP list) {
   static const char *const names[] = {"east_m", "north_m", "east_m_per_s", "north_m_per_s",
                                       "plane_rate_rad_per_s"};
@@ -76,7 +77,7 @@ SEXP ffi_frame_foucault(SEXP list) {
   return out;
 }
 
-/* Columns: rate, beta, time: the angle of rot_frame_angle(). */
+/* columns: rate, beta, time => angles of rot_frame_angle() */
 SEXP ffi_frame_angle(SEXP list) {
   rot_column in[3];
   double x[3];
@@ -90,9 +91,9 @@ SEXP ffi_frame_angle(SEXP list) {
   return out;
 }
 
-/* Columns: position, velocity, acceleration (three each); angle, rate, acceleration of the frame.
- * Its unit axis; whether the motion enters it. Out: the nine of the other side, then the
- * centrifugal, Coriolis and Euler accelerations in the frame. */
+/* columns: position, velocity, acceleration (three each); angle, rate, acceleration of the frame =>
+ * the nine in the other frame; centrifugal, Coriolis and Euler accelerations in the rotating frame.
+ * `axis`: unit vector; `enters`: TRUE for inertial to rotating. */
 SEXP ffi_frame_carry(SEXP list, SEXP axis, SEXP enters) {
   static const char *const names[] = {"x_m",
                                       "y_m",

@@ -2,7 +2,8 @@
 #include "glue/ffi.h"
 #include "scene/free/exact.h"
 
-/* By row: six columns, principal moments and rates. NA where there is no motion of such numbers. */
+/* three columns of principal moments, three of rates => times between flips; NA for impossible
+ * numbers */
 SEXP ffi_free_flips(SEXP moments, SEXP rates) {
   rot_column moment[3], rate[3];
   R_xlen_t n = 1;

@@ -1,8 +1,8 @@
-/* For R: many free bodies, a row each. */
+/* For R: many free bodies, one per row. */
 #include "glue/run.h"
 #include "scene/free/table.h"
 
-/* `list` has named columns, each of one value or one for each row. */
+/* named columns, each of one value or one per row => columns */
 SEXP ffi_free_table(SEXP list, SEXP threads, SEXP progress) {
   static const char *const names[] = {ROT_FREE_TABLE_COLUMNS(FFI_COLUMN_NAME) ""};
   const double max = ffi_real(threads, "threads");

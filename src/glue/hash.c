@@ -1,4 +1,4 @@
-/* For R: the hash of numbers and bytes. */
+/* For R: hash of numbers and bytes. */
 #include <string.h>
 
 #include "glue/ffi.h"
@@ -14,7 +14,7 @@ static size_t bytes_of(SEXP x) {
   }
 }
 
-/* Numbers with the lowest byte first. */
+/* Copies n bytes of numbers, lowest byte first. */
 static void write_bytes(unsigned char *out, const void *from, size_t n, size_t each) {
   const int one = 1;
   memcpy(out, from, n);
@@ -28,7 +28,7 @@ static void write_bytes(unsigned char *out, const void *from, size_t n, size_t e
   }
 }
 
-/* The hash of the bytes of the vectors in a list, one after the other. */
+/* list of vectors => hash of their concatenated bytes */
 SEXP ffi_hash(SEXP x) {
   if (TYPEOF(x) != VECSXP) Rf_error("`x` must be a list");
   const R_xlen_t parts = XLENGTH(x);

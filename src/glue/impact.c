@@ -5,7 +5,7 @@
 
 enum { MAX_COLUMNS = 9 };
 
-/* Columns: mass, radius, beta, vx, vy, omega, restitution, friction, tangential. */
+/* columns: mass, radius, beta, vx, vy, omega, restitution, friction, tangential => columns after */
 SEXP ffi_impact_bounce(SEXP list) {
   static const char *const names[] = {
       "vx_m_per_s",           "vy_m_per_s",    "omega_rad_per_s", "normal_impulse_n_s",
@@ -32,7 +32,8 @@ SEXP ffi_impact_bounce(SEXP list) {
   return out;
 }
 
-/* Columns: inertia, mass, centre, distance, omega, particle mass, particle v, restitution. */
+/* columns: inertia, mass, centre, distance, omega, particle mass, particle v, restitution =>
+ * columns after */
 SEXP ffi_impact_hinged(SEXP list) {
   static const char *const names[] = {"omega_rad_per_s", "particle_v_m_per_s", "impulse_n_s",
                                       "hinge_impulse_n_s", "normal_loss_j"};
@@ -55,7 +56,7 @@ SEXP ffi_impact_hinged(SEXP list) {
   return out;
 }
 
-/* Columns: two inertias, two radii, two speeds, restitution, the largest impulse. */
+/* columns: two inertias, two radii, two speeds, restitution, max impulse => columns after */
 SEXP ffi_impact_rims(SEXP list) {
   static const char *const names[] = {"omega_1_rad_per_s", "omega_2_rad_per_s", "impulse_n_s",
                                       "friction_loss_j", "locked"};

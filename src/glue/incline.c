@@ -1,7 +1,8 @@
-/* For R: the steepest angle of an incline. */
+/* For R: critical angle of an incline. */
 #include "glue/ffi.h"
 #include "scene/incline/incline.h"
 
+/* two columns => max angles, deg, for rolling from rest */
 SEXP ffi_incline_critical(SEXP beta, SEXP mu) {
   R_xlen_t n = 1;
   const rot_column b = ffi_column(beta, "beta", &n), m = ffi_column(mu, "mu", &n);

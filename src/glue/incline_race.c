@@ -5,7 +5,7 @@
 
 #include "glue/run.h"
 
-/* How each body moves from rest: the columns of scene/incline/race.h. */
+/* columns of bodies => motion of each body from rest, columns of scene/incline/race.h */
 SEXP ffi_incline_starts(SEXP bodies_in, SEXP progress) {
   static const char *const names[] = {ROT_RACE_COLUMNS(FFI_COLUMN_NAME) ""};
   R_xlen_t rows = 1, at = 0;
@@ -32,7 +32,7 @@ SEXP ffi_incline_starts(SEXP bodies_in, SEXP progress) {
   return columns;
 }
 
-/* The race at these times, all bodies at the first time first. `starts` are the columns above. */
+/* (columns above, times) => rows of all bodies at each time, ordered by time */
 SEXP ffi_incline_frames(SEXP starts, SEXP time_s, SEXP progress) {
   static const char *const names[] = {"lane",      "time_s",          "x_m",      "v_m_per_s",
                                       "theta_rad", "omega_rad_per_s", "finished", ""};

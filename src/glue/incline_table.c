@@ -1,10 +1,10 @@
-/* For R: many inclines, a row each. */
+/* For R: many inclines, one per row. */
 #include "scene/incline/table.h"
 
 #include "glue/run.h"
 
-/* Columns of `rows_in`, each of one value or one for each row: list(columns, bad, info); `bad`: the
- * numbers of the rows that were not computed. */
+/* columns `rows_in`, each of one value or one per row => list(columns, bad, info); `bad`: indices
+ * of rows that were not computed */
 SEXP ffi_incline_table(SEXP rows_in, SEXP threads, SEXP progress) {
   static const char *const names[] = {ROT_INCLINE_TABLE_COLUMNS(FFI_COLUMN_NAME) ""};
   static const char *const parts[] = {"columns", "bad", "info", ""};

@@ -3,7 +3,7 @@
 #include "body/inertia.h"
 #include "ground/real.h"
 
-/* A tensor from R: a symmetric 3 x 3 matrix, or its six numbers. */
+/* symmetric 3 x 3 matrix, or its six numbers => tensor */
 static void read_tensor(SEXP x, double t[ROT_TENSOR]) {
   if (XLENGTH(x) == ROT_TENSOR) {
     const double *six = ffi_reals(x, "tensor", ROT_TENSOR);
@@ -43,7 +43,7 @@ static SEXP write_tensor(const double t[]) {
   return matrix;
 }
 
-/* R keeps columns, the core rows. */
+/* matrix of R, by columns => matrix by rows */
 static void read_rotation(SEXP x, double r[9]) {
   const double *m = ffi_reals(x, "rotation", 9);
   for (int i = 0; i < 3; i++) {
@@ -51,7 +51,7 @@ static void read_rotation(SEXP x, double r[9]) {
   }
 }
 
-/* Both tensors of a second moment. */
+/* second moment => list(second moment, inertia tensor) as matrices */
 SEXP ffi_inertia_tensors(SEXP second) {
   double c[ROT_TENSOR], inertia[ROT_TENSOR];
   read_tensor(second, c);
@@ -70,7 +70,7 @@ SEXP ffi_inertia_second(SEXP inertia) {
   return write_tensor(c);
 }
 
-/* An inertia tensor about the point at -sign d from its own. */
+/* inertia tensor => about the point at -sign d from its reference point */
 SEXP ffi_inertia_shift(SEXP inertia, SEXP mass, SEXP d, SEXP sign) {
   double t[ROT_TENSOR], out[ROT_TENSOR];
   read_tensor(inertia, t);
@@ -78,8 +78,8 @@ SEXP ffi_inertia_shift(SEXP inertia, SEXP mass, SEXP d, SEXP sign) {
   return write_tensor(out);
 }
 
-/* The inertia tensor about the point at -d from the centre, in the axes in the columns of
- * `axes`. */
+/* second moment => inertia tensor about the point at -d from the centre, in the axes given by the
+ * columns of `axes` */
 SEXP ffi_inertia_about(SEXP second, SEXP mass, SEXP d, SEXP axes) {
   double c[ROT_TENSOR], moved[ROT_TENSOR], inertia[ROT_TENSOR];
   read_tensor(second, c);
@@ -107,7 +107,7 @@ SEXP ffi_inertia_principal(SEXP second, SEXP tolerance) {
   double c[ROT_TENSOR];
   rot_principal p;
   read_tensor(second, c);
-  /* R has checked that all is finite, and nothing else can fail. */
+  /* Fails only for numbers that are not finite, which R has excluded. */
   if (rot_inertia_principal(c, ffi_real(tolerance, "tolerance"), &p) != ROT_OK) {
     Rf_error("internal: `second`");
   }
@@ -129,7 +129,7 @@ SEXP ffi_inertia_sine(SEXP angle_deg) {
   return Rf_ScalarReal(rot_sin_deg(ffi_real(angle_deg, "angle_deg")));
 }
 
-/* The second moment of a rotated body. */
+/* (second moment, rotation) => second moment of the rotated body */
 SEXP ffi_inertia_rotate(SEXP second, SEXP rotation) {
   double c[ROT_TENSOR], r[9], out[ROT_TENSOR];
   read_tensor(second, c);
@@ -138,7 +138,8 @@ SEXP ffi_inertia_rotate(SEXP second, SEXP rotation) {
   return write_tensor(out);
 }
 
-/* n masses, 3 x n centres, 6 x n second moments. NULL where the sum overflows. */
+/* n masses, 3 x n centres, 6 x n second moments => those of all parts as one body; NULL if a sum
+ * overflows */
 SEXP ffi_inertia_join(SEXP mass, SEXP centre, SEXP second) {
   static const char *const names[] = {"mass_kg", "centre_m", "second_kg_m2", "error", ""};
   const R_xlen_t n = XLENGTH(mass);

@@ -13,7 +13,7 @@ enum {
   NUMBERS = ONE_NUMBER | ROT_INPUT_NUMBERS | ROT_INPUT_TIMES | ROT_INPUT_VECTOR | ROT_INPUT_ATTITUDE
 };
 
-/* The kinds with one number, and those with several. */
+/* => kind as which an input reads n numbers */
 static unsigned kind_of(unsigned kinds, R_xlen_t n) {
   const unsigned one = kinds & ONE_NUMBER, more = kinds & NUMBERS & ~one;
   const unsigned from = one && (n == 1 || !more) ? one : more;
@@ -46,14 +46,14 @@ const char *ffi_input_form(const rot_input *input) {
   return kinds & ROT_INPUT_LIMIT ? "limit" : "number";
 }
 
-/* n numbers of a part of a body, or NULL. */
+/* => n numbers of a part of a body, or NULL */
 static const double *part_of(SEXP body, const char *name, R_xlen_t n) {
   SEXP x = ffi_element(body, name);
   return TYPEOF(x) == REALSXP && XLENGTH(x) == n ? REAL_RO(x) : NULL;
 }
 
-/* The axle that it names: the end of a rod, the axis of a point, wherever they were moved. 0: its
- * size has lost its name. */
+/* body => axle of shapes that name one (rod end, point), as moved; returns 0 if its size has no
+ * name */
 static int read_axle(SEXP body, rot_given_body *to) {
   SEXP shape = ffi_element(body, "shape"), from = ffi_element(body, "provenance");
   if (TYPEOF(shape) != STRSXP || TYPEOF(from) != STRSXP || XLENGTH(shape) != 1 ||
@@ -74,7 +74,7 @@ static int read_axle(SEXP body, rot_given_body *to) {
   return 1;
 }
 
-/* The radius is an input of scenes that roll. */
+/* body of R => body of the core; without radius, which is an input of scenes that roll */
 static int read_body(SEXP x, rot_given_body *to) {
   const double *mass = part_of(x, "mass_kg", 1), *centre = part_of(x, "centre_m", 3);
   const double *second = part_of(x, "second_moment_kg_m2", 9);
@@ -95,25 +95,25 @@ static rot_status not_called(const double argument[], double value[], void *ctx)
   return ROT_ERHS;
 }
 
-/* The functions of one input, in order: of a torque, of the motors of rotors. */
+/* The functions of one input in order: of a torque, of the motors of rotors. */
 typedef struct functions {
   const ffi_laws *laws;
-  const rot_input *input; /* that takes them */
-  size_t place;           /* of the input of the scene */
-  SEXP specs;
-  R_xlen_t next;
+  const rot_input *input; /* input that takes them */
+  size_t place;           /* index of the scene's input */
+  SEXP specs;             /* list of list(call, environment, complain), or NULL */
+  R_xlen_t next;          /* index of the next one */
 } functions;
 
-/* spec: list(call, environment, complain), or NULL: it is only marked. */
+/* => law of the next function; without specs it is not called */
 static rot_law next_law(void *ctx) {
   functions *f = ctx;
   const R_xlen_t i = f->next++;
   if (TYPEOF(f->specs) != VECSXP || i >= XLENGTH(f->specs)) return (rot_law){.call = not_called};
   SEXP kept = f->laws->kept;
   ffi_torque *called = (ffi_torque *)R_alloc(1, sizeof *called);
-  /* It protects its call. */
+  /* This protects its call. */
   *called = ffi_torque_new(VECTOR_ELT(f->specs, i), f->input, f->laws->guard);
-  SEXP both = PROTECT(Rf_allocVector(VECSXP, 2)); /* with those before it */
+  SEXP both = PROTECT(Rf_allocVector(VECSXP, 2)); /* the call and the earlier ones */
   SET_VECTOR_ELT(both, 0, called->call);
   SET_VECTOR_ELT(both, 1, VECTOR_ELT(kept, (R_xlen_t)f->place));
   SET_VECTOR_ELT(kept, (R_xlen_t)f->place, both);
@@ -133,10 +133,10 @@ static int read_list(const rot_input *input, SEXP x, functions *f, rot_given *to
   return 1;
 }
 
-/* Until the call from R ends. */
+/* Memory until the call from R ends. */
 static void *take(size_t bytes) { return R_alloc(bytes, 1); }
 
-/* A part of a scene, which R holds as the list of its inputs. */
+/* list of the inputs of a part => part, built; returns 0 if it is invalid */
 static int read_part(const rot_part *part, SEXP x, functions *f, rot_given *to) {
   const rot_input *outer = f->input;
   rot_given *given = (rot_given *)R_alloc(part->n_inputs + 1, sizeof *given);
@@ -155,7 +155,7 @@ static int read_part(const rot_part *part, SEXP x, functions *f, rot_given *to) 
   return 1;
 }
 
-/* The part that R holds as an object of the class rot_<constructor>; a table has no class. */
+/* object of the class rot_<constructor> => its part; a list without class: a table */
 static const rot_part *part_for(const rot_input *input, SEXP x) {
   if (!Rf_isObject(x)) {
     const int is = input->kinds & ROT_INPUT_TABLE && TYPEOF(x) == VECSXP;
@@ -170,6 +170,7 @@ static const rot_part *part_for(const rot_input *input, SEXP x) {
   return NULL;
 }
 
+/* x => value of the input; returns 0 if the input does not take it */
 static int read(const rot_input *input, SEXP x, functions *f, rot_given *to) {
   const unsigned kinds = input->kinds;
   memset(to, 0, sizeof *to);
@@ -220,7 +221,7 @@ int ffi_input_read(const rot_input inputs[], size_t i, SEXP x, const ffi_laws *l
   return read(&inputs[i], x, &f, to);
 }
 
-/* One of the options, or all of them, as in a default. */
+/* => the option; the first one if x is all options, as in a default argument; NULL otherwise */
 static SEXP plain_choice(const rot_input *input, SEXP x) {
   const R_xlen_t n = XLENGTH(x);
   if (n == 1) return x;
@@ -230,7 +231,7 @@ static SEXP plain_choice(const rot_input *input, SEXP x) {
   return n && !input->options[n] ? Rf_mkString(input->options[0]) : NULL;
 }
 
-/* The law of a constant torque, as R has it. */
+/* => law of a constant torque as an object of R */
 static SEXP constant_law(double torque_n_m) {
   static const char *const names[] = {"time_s", "torque_n_m", "outside", ""};
   const double outside[] = {torque_n_m, torque_n_m};
@@ -246,7 +247,7 @@ static SEXP constant_law(double torque_n_m) {
   return law;
 }
 
-/* A part of one class; `form`: of that input. */
+/* => x if it is a part of one class that fits the form; else NULL */
 static SEXP plain_part(const rot_input *input, SEXP x, SEXP form) {
   const unsigned kinds = input->kinds;
   int fits = 0;

@@ -1,4 +1,4 @@
-/* For R: angular motion by row, a point of the body, angles. */
+/* For R: angular motion by row, motion of a point of the body, units of angles. */
 #include "glue/ffi.h"
 #include "tables/kinematics.h"
 
@@ -10,7 +10,7 @@ typedef struct motion_input {
   rot_column column[ROT_MOTION_SIZE];
 } motion_input;
 
-/* NULL is a quantity to be solved for. */
+/* list of five columns => input; NULL: a quantity to be computed */
 static motion_input read_motion(SEXP list, R_xlen_t *n) {
   motion_input in = {0, {{NULL, 0}}};
   if (TYPEOF(list) != VECSXP || XLENGTH(list) != ROT_MOTION_SIZE) Rf_error("internal: `columns`");
@@ -27,11 +27,11 @@ static rot_motion_kind solve_row(const motion_input *in, R_xlen_t row,
   for (unsigned i = 0; i < ROT_MOTION_SIZE; i++) {
     if (in->given >> i & 1U) x[0][i] = rot_at(in->column[i], (size_t)row);
   }
-  if (row % 65536 == 65535) R_CheckUserInterrupt(); /* the core holds nothing */
+  if (row % 65536 == 65535) R_CheckUserInterrupt(); /* the core has no memory allocated */
   return rot_motion_solve(in->given, x);
 }
 
-/* Rows of the result: one for each row given, and one for each second root. */
+/* => rows of the result: one per given row, one per second root */
 static R_xlen_t count_rows(const motion_input *in, R_xlen_t n) {
   double x[2][ROT_MOTION_SIZE];
   R_xlen_t rows = n;
@@ -39,7 +39,7 @@ static R_xlen_t count_rows(const motion_input *in, R_xlen_t n) {
   return rows;
 }
 
-/* The five columns, then `row` and `root` (from 1) and `kind`: 0 impossible, -1 undetermined. */
+/* => the five columns; `row` and `root` (from 1); `kind`: 0 impossible, -1 undetermined */
 SEXP ffi_angular_motion(SEXP columns) {
   const char *names[ROT_MOTION_SIZE + 3];
   double *to[ROT_MOTION_SIZE + 3], x[2][ROT_MOTION_SIZE];
@@ -63,7 +63,7 @@ SEXP ffi_angular_motion(SEXP columns) {
   return out;
 }
 
-/* The five columns of point_motion(). */
+/* => the five columns of point_motion() */
 SEXP ffi_point_motion(SEXP omega, SEXP alpha, SEXP radius) {
   static const char *const names[] = {
       "tangential_speed_m_per_s", "tangential_acceleration_m_per_s2",
@@ -86,7 +86,7 @@ SEXP ffi_point_motion(SEXP omega, SEXP alpha, SEXP radius) {
   return out;
 }
 
-/* Three numbers each, finite. */
+/* Vectors of three finite numbers. */
 SEXP ffi_moment(SEXP factor, SEXP position, SEXP about, SEXP vector) {
   double out[3];
   rot_moment(ffi_real(factor, "factor"), ffi_reals(position, "position", 3),
@@ -108,7 +108,7 @@ SEXP ffi_lever(SEXP factor, SEXP radius, SEXP size, SEXP angle_deg) {
   return out;
 }
 
-/* `unit` counts from 0 in the order of ROT_ANGLE_UNIT_LIST. */
+/* `unit`: index from 0 in ROT_ANGLE_UNIT_LIST. */
 SEXP ffi_convert_angle(SEXP x, SEXP unit) {
   const double u = ffi_real(unit, "unit");
   if (!(u >= 0 && u < ROT_ANGLE_UNIT_COUNT)) Rf_error("internal: `unit`");

@@ -30,7 +30,7 @@ rot_term ffi_law_term(SEXP list) {
   return term;
 }
 
-/* Samples of a function have breaks and errors of their own. */
+/* Breaks and error of the samples of a function, if x has them. */
 static void read_samples(SEXP x, rot_law_one *law) {
   SEXP stops_s = ffi_element(x, "stops_s");
   if (Rf_isNull(stops_s)) return;
@@ -39,6 +39,7 @@ static void read_samples(SEXP x, rot_law_one *law) {
   law->noise_n_m = ffi_number_of(x, "noise_n_m");
 }
 
+/* object of R => law; `function`: gives the next law that is an R function */
 static rot_law_one law_of(SEXP x, rot_law (*function)(void *ctx), void *ctx) {
   rot_law_one law = {.kind = ROT_LAW_KNOTS};
   if (Rf_inherits(x, "rot_torque_knots")) {
@@ -81,7 +82,7 @@ rot_law_sum ffi_law_sum(SEXP torque, rot_law (*function)(void *ctx), void *ctx) 
 
 typedef struct samples {
   size_t n;
-  rot_term *term; /* of each number of the law */
+  rot_term *term; /* one for each number of the law */
 } samples;
 
 static rot_status sampled_values(const double argument[], double value[], void *ctx) {
@@ -104,7 +105,7 @@ int ffi_law_samples(SEXP list, rot_law *law) {
   return 1;
 }
 
-/* Whether a function stands in x, a part of it or a list of them; bodies have none. */
+/* 1 if x is a function or contains one; bodies have none. */
 static int has_function(SEXP x) {
   if (Rf_isFunction(x)) return 1;
   if (TYPEOF(x) != VECSXP || Rf_inherits(x, "rot_body")) return 0;
@@ -116,7 +117,7 @@ static int has_function(SEXP x) {
 
 SEXP ffi_law_called(SEXP x) { return Rf_ScalarLogical(has_function(x)); }
 
-/* A term of time alone at many times. */
+/* (term of time only, times) => values */
 SEXP ffi_law_values(SEXP list, SEXP time_s) {
   const rot_term term = ffi_law_term(list);
   const double *t = ffi_reals(time_s, "time_s", -1);

@@ -7,7 +7,7 @@
 #include "body/mesh_nesting.h"
 #include "body/mesh_weld.h"
 
-/* Matrices with a row for each vertex and face, or a column for each as a mesh3d has them. */
+/* matrices with a row per vertex and face, or (by_column, as in mesh3d) a column => mesh */
 static rot_mesh read_mesh(SEXP vertices, SEXP faces, SEXP by_column) {
   if (TYPEOF(vertices) != REALSXP || !Rf_isMatrix(vertices) || TYPEOF(faces) != INTSXP ||
       !Rf_isMatrix(faces)) {
@@ -25,7 +25,7 @@ static rot_mesh read_mesh(SEXP vertices, SEXP faces, SEXP by_column) {
   return (rot_mesh){vr, fr, REAL_RO(vertices), 1, vr, INTEGER_RO(faces), 1, fr, NULL, NULL};
 }
 
-/* The replacements after welding, as integers. */
+/* integer vector => replacements after welding, or NULL */
 static const uint32_t *read_same(SEXP same, const rot_mesh *mesh) {
   if (Rf_isNull(same)) return NULL;
   if (TYPEOF(same) != INTSXP || (size_t)XLENGTH(same) != mesh->vertices) {
@@ -82,9 +82,8 @@ static void write_counts(const rot_mesh *mesh, const findings *f, int reached, d
 #undef X
 }
 
-/* kind of status (R makes the message), counts, the replacements or NULL, and the volumes of the
- * components or NULL. Counts that were not determined are NA. `tolerance` is negative for no
- * welding. */
+/* mesh => list(kind of status, counts, replacements or NULL, volumes of components or NULL). R
+ * makes the message. Undetermined counts are NA. tolerance < 0: no welding. */
 SEXP ffi_mesh_check(SEXP vertices, SEXP faces, SEXP by_column, SEXP tolerance, SEXP progress) {
   static const char *const names[] = {"kind", "counts", "same", "volume", ""};
   rot_mesh mesh = read_mesh(vertices, faces, by_column);
@@ -136,7 +135,7 @@ SEXP ffi_mesh_check(SEXP vertices, SEXP faces, SEXP by_column, SEXP tolerance, S
   return out;
 }
 
-/* kind of status, and the integrals of the solid or of the surface. */
+/* mesh => integrals of the solid or the surface, kind of status */
 SEXP ffi_mesh_moments(SEXP vertices, SEXP faces, SEXP by_column, SEXP same, SEXP shell,
                       SEXP progress) {
   static const char *const names[] = {"size",    "size_error",

@@ -2,7 +2,7 @@
 #include "glue/ffi.h"
 #include "maths/phi.h"
 
-/* phi_0 .. phi_k of -z, a column each. */
+/* z => columns phi_0 .. phi_k of -z */
 SEXP ffi_phi(SEXP z, SEXP k_max) {
   static const char *const names[] = {"phi0", "phi1", "phi2", "phi3", "phi4", "phi5", "phi6"};
   const int k = (int)ffi_real(k_max, "k");

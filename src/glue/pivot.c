@@ -4,7 +4,7 @@
 #include "scene/choice.h"
 #include "scene/pivot/pivot.h"
 
-/* c(period s, lowest and highest cosine, precession in a period); NULL: no symmetric top. */
+/* => c(period in s, min and max cosine, precession per period); NULL: not a symmetric top */
 SEXP ffi_pivot_nutation(SEXP scene) {
   const rot_constraint *pivot = rot_choice_constraint("pivot");
   double out[4];

@@ -18,7 +18,7 @@ static rot_points read_points(SEXP mass, SEXP x, SEXP y, SEXP z, SEXP exponent) 
   return points;
 }
 
-/* R holds moments as numbers, in the order of the struct's members; R/body-points.R names them. */
+/* Moments in R: numbers in the order of the struct's members; R/body-points.R names them. */
 enum { DOUBLES = offsetof(rot_moments, vanished) / sizeof(double), N = DOUBLES + 1 };
 
 static rot_moments read_moments(SEXP x) {
@@ -34,7 +34,7 @@ static void write_moments(const rot_moments *m, double v[]) {
   v[DOUBLES] = (double)m->vanished;
 }
 
-/* Row and column of the first bad value, from 1 and 0; row 0 if there is none. */
+/* => row (from 1, 0: none) and column (from 0) of the first invalid value */
 SEXP ffi_points_bad(SEXP mass, SEXP x, SEXP y, SEXP z) {
   SEXP exponent = PROTECT(Rf_ScalarReal(0.0));
   const rot_points points = read_points(mass, x, y, z, exponent);
@@ -44,7 +44,7 @@ SEXP ffi_points_bad(SEXP mass, SEXP x, SEXP y, SEXP z) {
   return ffi_numbers(2, (const double[]){row < points.n ? (double)row + 1.0 : 0.0, column});
 }
 
-/* NULL where the points are too far apart for doubles. */
+/* points => moments; NULL if a distance of points overflows */
 SEXP ffi_points_moments(SEXP mass, SEXP x, SEXP y, SEXP z, SEXP exponent, SEXP progress) {
   const rot_points points = read_points(mass, x, y, z, exponent);
   rot_moments moments;
@@ -68,7 +68,7 @@ SEXP ffi_points_join(SEXP a, SEXP b) {
   return out;
 }
 
-/* Whether doubles hold the mass and the moments. */
+/* => TRUE unless the mass or a moment over- or underflowed */
 SEXP ffi_points_fit(SEXP moments) {
   const rot_moments m = read_moments(moments);
   return Rf_ScalarLogical(rot_moments_check(&m) == ROT_OK);

@@ -5,8 +5,8 @@
 
 enum { INPUTS = 7, OUTPUTS = 10 };
 
-/* Columns: mass, lever arm, axial moment, spin, transverse moment, angle, gravity. A missing
- * transverse moment leaves out what depends on it. */
+/* columns: mass, lever arm, axial moment, spin, transverse moment, angle, gravity => 10 columns.
+ * Without a transverse moment those that depend on it are missing. */
 SEXP ffi_precession(SEXP list) {
   static const char *const names[] = {"gravity_torque_n_m",
                                       "spin_angular_momentum_kg_m2_per_s",
@@ -41,7 +41,8 @@ SEXP ffi_precession(SEXP list) {
   return out;
 }
 
-/* Axial moment, transverse moment, mass, lever arm, gravity. */
+/* columns: axial moment, transverse moment, mass, lever arm, gravity => min spins of stable upright
+ * (sleeping) tops */
 SEXP ffi_precession_sleeps(SEXP list) {
   rot_column in[5];
   const R_xlen_t n = ffi_columns_of(list, 5, in);

@@ -2,7 +2,7 @@
 #include "glue/ffi.h"
 #include "ground/real.h"
 
-/* c(hi, lo): first + the product of the factors, to twice the precision. */
+/* => c(hi, lo) of first + product of the factors, to twice the precision */
 SEXP ffi_sum_product(SEXP first, SEXP factors) {
   const double *x = ffi_reals(factors, "factors", -1);
   double sum[2];

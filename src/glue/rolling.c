@@ -1,4 +1,4 @@
-/* For R: rolling; the first value out of its domain. */
+/* For R: rolling; first value outside its domain. */
 #include "glue/ffi.h"
 #include "tables/rolling.h"
 
@@ -15,8 +15,8 @@ static const struct {
     {"gravity_m_per_s2", 0.0, HUGE_VAL},
 };
 
-/* Reads columns of the arguments `which`. c(argument, row, lowest, highest) of the first value
- * outside its domain, argument and row from 1; NULL if there is none. */
+/* arguments `which` => columns; returns c(argument, row, min, max) of the first value outside its
+ * domain, argument and row from 1, or NULL */
 static SEXP read_columns(const SEXP x[], const int which[], int count, rot_column to[],
                          R_xlen_t *n) {
   for (int j = 0; j < count; j++) to[j] = ffi_column(x[j], domains[which[j]].name, n);
@@ -46,7 +46,7 @@ static const struct {
     {friction, 2, {BETA, ANGLE}},
 };
 
-/* Function number `which` (from 1) row by row: list(values), or the place of a bad value. */
+/* columns => list(values of function `which`, from 1), or the position of an invalid value */
 SEXP ffi_rolling_value(SEXP which, SEXP columns) {
   const int f = Rf_asInteger(which) - 1;
   if (f < 0 || f >= (int)(sizeof functions / sizeof functions[0])) {
@@ -72,7 +72,7 @@ SEXP ffi_rolling_value(SEXP which, SEXP columns) {
   return out;
 }
 
-/* The four columns of the table, or the place of a bad value. */
+/* => the four columns of the table, or the position of an invalid value */
 SEXP ffi_rolling_table(SEXP beta, SEXP angle, SEXP height, SEXP gravity, SEXP progress) {
   static const char *const names[] = {"acceleration_m_per_s2", "final_speed_m_per_s",
                                       "rotational_energy_fraction",

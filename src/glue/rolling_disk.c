@@ -1,12 +1,12 @@
-/* For R: a coin that rolls and leans. */
+/* For R: rolling disks. */
 #include "glue/run.h"
 #include "tables/rolling_disk.h"
 
 #include <math.h>
 
-/* `numbers`: mass, radius, moments over m r^2 (axial, transverse), gravity, lean, spin, yaw, rate
- * of the lean, accuracy. The ledger: errors of attitude, omega and position; the time at which it
- * lies flat. */
+/* numbers: mass, radius, moments over m r^2 (axial, transverse), gravity, lean, spin, yaw, lean
+ * rate, accuracy => run. Its ledger: errors of attitude, omega and position; time at which the disk
+ * is flat. */
 SEXP ffi_rolling_disk(SEXP numbers, SEXP time_s, SEXP progress) {
   static const char *const names[] = {"time_s", ROT_ROLLING_DISK_COLUMNS(FFI_COLUMN_NAME) ""};
   const double *x = ffi_reals(numbers, "numbers", 10), *t = ffi_reals(time_s, "time_s", -1);
@@ -26,7 +26,7 @@ SEXP ffi_rolling_disk(SEXP numbers, SEXP time_s, SEXP progress) {
   return ffi_run_end(&run, status);
 }
 
-/* The least stable angular velocity: columns of radius, moments and gravity. */
+/* columns: radius, moments, gravity => min stable angular velocities */
 SEXP ffi_rolling_disk_min(SEXP radius, SEXP axial, SEXP transverse, SEXP gravity) {
   R_xlen_t n = 1;
   const rot_column r = ffi_column(radius, "radius_m", &n), a = ffi_column(axial, "axial", &n);

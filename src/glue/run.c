@@ -72,6 +72,7 @@ SEXP ffi_run_columns(const ffi_run *run, const char *const names[]) {
   return list;
 }
 
+/* Report and events => elements of run->out; may jump. */
 static SEXP finish(void *data) {
   const char *names[] = {"time_s", "event", "", ""};
   const ffi_run *run = data;
@@ -96,7 +97,7 @@ static SEXP finish(void *data) {
   return R_NilValue;
 }
 
-/* The allocations may jump too: under the guard where there are events to be freed before. */
+/* Allocations may jump: they run under the guard if there are events to be freed. */
 SEXP ffi_run_end(ffi_run *run, rot_status status) {
   if (status != ROT_EUNWIND && run->events.room) {
     status = ffi_guarded(&run->guard, finish, run, NULL);

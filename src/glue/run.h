@@ -1,4 +1,4 @@
-/* Shared by the entries that run a motion: list(columns, info, ledger, events) under the guard.
+/* Shared by the entries that run a motion under the guard: list(columns, info, ledger, events).
  *
  *   ffi_run_begin(&run, progress);
  *   SEXP columns = ffi_run_columns(&run, names);
@@ -10,7 +10,7 @@
 #include "glue/ffi.h"
 #include "engine/events.h"
 
-/* Elements of run.out; the last one of some runs alone. */
+/* Elements of run.out; the last one only in some runs. */
 enum { FFI_COLUMNS, FFI_INFO, FFI_LEDGER, FFI_EVENTS, FFI_EVENT_ROWS };
 
 typedef struct ffi_run {
@@ -18,20 +18,23 @@ typedef struct ffi_run {
   SEXP out; /* protected */
   rot_info info;
   rot_events events; /* freed by ffi_run_end() */
-  int beyond;        /* a column is not finite: the run has no error figure */
+  int beyond;        /* 1: a column is not finite, the error figure is Inf */
 } ffi_run;
 
+/* Begins the guard; protects run->out. */
 void ffi_run_begin(ffi_run *run, SEXP progress);
-/* The named list of columns, to be filled; `names` ends with "". */
+/* names, ending with "" => named list of columns, to be filled */
 SEXP ffi_run_columns(const ffi_run *run, const char *const names[]);
-/* Ends the guard. The report, and the events if there are any, are made under it. */
+/* Adds report and events to run->out and ends the guard; returns run->out, unprotected. */
 SEXP ffi_run_end(ffi_run *run, rot_status status);
 
+/* report => list */
 SEXP ffi_info(const rot_info *info);
-/* A named double vector; NA where `values` is NULL. */
+/* => named double vector; NA for NULL values */
 SEXP ffi_named(size_t n, const char *const names[], const double values[]);
-/* Element i of a list: a new column of doubles, of logicals. */
+/* Sets element i of a list to a new column of doubles; returns its address. */
 double *ffi_new_double(SEXP list, R_xlen_t i, R_xlen_t rows);
+/* The same for a column of logicals. */
 int *ffi_new_int(SEXP list, R_xlen_t i, R_xlen_t rows);
 
 /* For the lists of columns X(type, name) and ledgers X(name) of the core: columns[at++] becomes

@@ -25,13 +25,13 @@ static SEXP texts(size_t n, const char *const text[]) {
 
 /* ---- constructors ---------------------------------------------------------------------------- */
 
-/* The class of its scenes is rot_<constructor>. */
+/* constructor => class of its scenes, rot_<constructor> */
 static const char *class_of(const rot_maker *maker, size_t room, char name[]) {
   (void)snprintf(name, room, "rot_%s", maker->constructor);
   return name;
 }
 
-/* The constructor that made a scene. */
+/* scene => its constructor, by class */
 static const rot_maker *maker_of(const rot_constraint *c, SEXP scene) {
   char name[64];
   for (size_t i = 1; i < c->n_makers; i++) {
@@ -42,10 +42,10 @@ static const rot_maker *maker_of(const rot_constraint *c, SEXP scene) {
 
 /* ---- reading --------------------------------------------------------------------------------- */
 
-/* Until the call from R ends. */
+/* Memory until the call from R ends. */
 static void *take(size_t bytes) { return R_alloc(bytes, 1); }
 
-/* ROT_OK, or ROT_EVALUE with the input that is refused. `to`: room for the scene. */
+/* scene of R => scene of the core at `to`; ROT_EVALUE with the refused input */
 static rot_status read_scene(const rot_maker *maker, SEXP scene, const ffi_laws *laws, void *to,
                              rot_refusal *refusal) {
   rot_given *given =
@@ -70,7 +70,7 @@ static const void *build_scene(const rot_constraint *constraint, SEXP scene, con
   return built;
 }
 
-/* The effects that a scene is solved without, by their names in `without`. */
+/* scene => bits of the effects named in its element `without` */
 static unsigned left_out(const rot_constraint *c, SEXP scene) {
   SEXP without = ffi_element(scene, "without");
   unsigned mask = 0;
@@ -93,7 +93,7 @@ const void *ffi_scene_build(const rot_constraint *constraint, SEXP scene) {
   return solved;
 }
 
-/* The numbers of one derived name, and how many they are. */
+/* built scene => numbers of one derived name, their count *n */
 static const double *derived(const rot_constraint *c, const rot_derived *of, const void *built,
                              R_xlen_t *n) {
   const char *at = (const char *)built + of->offset;
@@ -107,7 +107,7 @@ static SEXP derived_numbers(const rot_constraint *c, const rot_derived *of, cons
   return ffi_numbers((int)n, x);
 }
 
-/* NULL, or the name of an input that is refused, or of a number that does not follow from them. */
+/* => NULL; or the name of a refused input, or of a derived number that is not that of the inputs */
 static const char *fault_of_inputs(const rot_constraint *c, SEXP scene) {
   const rot_maker *maker = maker_of(c, scene);
   void *built = R_alloc(1, (int)c->scene_size);
@@ -125,7 +125,7 @@ static const char *fault_of_inputs(const rot_constraint *c, SEXP scene) {
   return NULL;
 }
 
-/* The scene last found sound. It is kept, so R copies it before it is changed, and an equal pointer
+/* The last scene found valid. It is preserved, so R copies it before a change: an equal pointer
  * means an equal scene. */
 static SEXP sound = NULL;
 
@@ -145,7 +145,7 @@ static SEXP fault_of_scene(const rot_constraint *c, SEXP form, SEXP scene) {
   return R_NilValue;
 }
 
-/* missing(name), in the frame of a constructor. */
+/* missing(name) in the frame of a constructor. */
 static int is_missing(SEXP name, SEXP env) {
   SEXP call = PROTECT(Rf_lang2(Rf_install("missing"), name));
   const int missing = Rf_asLogical(Rf_eval(call, env)) != 0;
@@ -153,7 +153,7 @@ static int is_missing(SEXP name, SEXP env) {
   return missing;
 }
 
-/* An empty scene: its inputs, then what follows from them. */
+/* => scene with empty elements: inputs, then derived numbers */
 static SEXP new_scene(const rot_constraint *c, const rot_maker *maker) {
   const char *names[2 * ROT_MAX_INPUTS + 1], *classes[3];
   char own[64], shared[64];
@@ -185,8 +185,8 @@ static R_xlen_t place_of(SEXP list, const char *name) {
   return i;
 }
 
-/* The scene that a constructor describes, from the frame of its arguments. NULL where R must look
- * at one of them: it takes units, and says what is wrong. */
+/* (constructor, frame of its arguments) => scene; NULL if R must process an argument (units,
+ * errors) */
 SEXP ffi_scene_describe(SEXP constructor, SEXP form, SEXP env) {
   const rot_constraint *c = NULL;
   const rot_maker *maker = rot_run_maker(ffi_text(constructor, "constructor"), &c);
@@ -221,8 +221,7 @@ SEXP ffi_scene_describe(SEXP constructor, SEXP form, SEXP env) {
   return out;
 }
 
-/* The numbers that follow from the inputs, by name; or c(input, reason) of the first input that is
- * refused. */
+/* scene => derived numbers by name; or c(input, reason) of the first refused input */
 SEXP ffi_scene_derived(SEXP id, SEXP scene) {
   const rot_constraint *c = ffi_constraint(id);
   const rot_maker *maker = maker_of(c, scene);
@@ -243,7 +242,7 @@ SEXP ffi_scene_derived(SEXP id, SEXP scene) {
   return out;
 }
 
-/* NULL, or the path of a part that does not fit the form, or does not fit the others. */
+/* => NULL, or the path of a part that does not fit the form or contradicts the others */
 SEXP ffi_scene_fault(SEXP id, SEXP form, SEXP scene) {
   return fault_of_scene(rot_choice_constraint(ffi_text(id, "constraint")), form, scene);
 }
@@ -262,6 +261,7 @@ enum {
   MANY = ROT_INPUT_NUMBERS | ROT_INPUT_TIMES | ROT_INPUT_VECTOR | ROT_INPUT_ATTITUDE,
 };
 
+/* constructor => list of its inputs by name, with their fields */
 static SEXP inputs_of(const rot_maker *maker) {
   static const char *const names[] = {"unit", "required", "low",  "high",      "above", "limit",
                                       "many", "options",  "form", "otherwise", "words", ""};
@@ -289,7 +289,7 @@ static SEXP inputs_of(const rot_maker *maker) {
   return out;
 }
 
-/* By constructor: list(inputs, derived), with how many numbers each derived name has. */
+/* => by constructor: list(inputs, derived), with the count of numbers of each derived name */
 static SEXP makers_of(const rot_constraint *c) {
   static const char *const names[] = {"inputs", "derived", ""};
   SEXP out = PROTECT(Rf_allocVector(VECSXP, (R_xlen_t)c->n_makers));
@@ -315,14 +315,14 @@ static SEXP makers_of(const rot_constraint *c) {
 
 static size_t kept_by(const rot_constraint *c) { return c->n_kept ? c->n_kept : c->n_balances; }
 
-/* The quantities of both. */
+/* => number of quantities: conserved ones or balances, whichever are more */
 static size_t named_by(const rot_constraint *c) {
   return kept_by(c) > c->n_balances ? kept_by(c) : c->n_balances;
 }
 
-/* list(makers, columns, units, state, measures, index, flows, balances, kept, event_rows, always,
- * between): `state` is, by column, the measure that it holds, or NA; `always`: the rows of all
- * scenes have it. */
+/* constraint => list(makers, columns, units, state, measures, index, flows, balances, kept,
+ * event_rows, always, between). `state`: measure in each column, or NA; `always`: TRUE for a column
+ * of all scenes. */
 SEXP ffi_scene_table(SEXP id) {
   static const char *const names[] = {"makers", "columns", "units",    "state", "measures",
                                       "index",  "flows",   "balances", "kept",  "event_rows",
@@ -358,10 +358,10 @@ SEXP ffi_scene_table(SEXP id) {
   return out;
 }
 
-/* The columns that the rows of a scene have. */
+/* Columns of the rows of a scene. */
 typedef struct shown {
   const rot_constraint *of;
-  unsigned char is[ROT_MAX_COLUMNS];
+  unsigned char is[ROT_MAX_COLUMNS]; /* 1: the scene has the column */
 } shown;
 
 static shown shown_by(const rot_constraint *c, const void *built) {
@@ -373,7 +373,7 @@ static shown shown_by(const rot_constraint *c, const void *built) {
   return s;
 }
 
-/* Whether the rows of a scene have each column. */
+/* scene => logical vector: columns that its rows have */
 SEXP ffi_scene_shows(SEXP id, SEXP scene) {
   const rot_constraint *c = ffi_constraint(id);
   const shown shows = shown_by(c, ffi_scene_build(c, scene));
@@ -389,7 +389,7 @@ SEXP ffi_scene_rows_per_time(SEXP id, SEXP scene) {
 
 /* ---- runs ------------------------------------------------------------------------------------ */
 
-/* Time, index, and the columns of the constraint that are shown. */
+/* => named empty list: time, index, columns shown */
 static SEXP named_columns(const shown *s) {
   const rot_constraint *c = s->of;
   const char *names[ROT_MAX_COLUMNS + 3] = {"time_s"};
@@ -402,6 +402,7 @@ static SEXP named_columns(const shown *s) {
   return Rf_mkNamed(VECSXP, names);
 }
 
+/* Allocates the columns of a run; column[i]: address, NULL if not shown. */
 static void new_columns(const ffi_run *run, const shown *s, SEXP time_s, size_t rows_per_time,
                         void *column[]) {
   const rot_constraint *c = s->of;
@@ -429,8 +430,8 @@ static void new_columns(const ffi_run *run, const shown *s, SEXP time_s, size_t 
   }
 }
 
-/* What means nothing is NA in R: flags below 0, and NaN in the last of several copies, which has no
- * neighbour. */
+/* Undefined values become NA: flags below 0, and NaN in the last row of each time, which has no
+ * next neighbour. */
 static void mark_missing(const shown *s, R_xlen_t n, R_xlen_t rows_per_time, void *const column[]) {
   const rot_constraint *c = s->of;
   for (size_t k = 0; k < c->n_columns; k++) {
@@ -447,7 +448,7 @@ static void mark_missing(const shown *s, R_xlen_t n, R_xlen_t rows_per_time, voi
   }
 }
 
-/* The ledger: a matrix with the time, each flow since the start, and the error of each. */
+/* => ledger: matrix with the time, each flow since the start, the error of each flow */
 static SEXP new_ledger(const rot_constraint *c, R_xlen_t n, const double time_s[], double *flow[]) {
   const int columns = 1 + 2 * (int)c->n_flows;
   SEXP ledger = PROTECT(Rf_allocMatrix(REALSXP, (int)n, columns));
@@ -467,7 +468,7 @@ static SEXP new_ledger(const rot_constraint *c, R_xlen_t n, const double time_s[
   return ledger;
 }
 
-/* The errors of the flows, which are of all rows, into their columns. */
+/* Fills the error columns of the ledger; an error applies to all rows. */
 static void fill_errors(const rot_constraint *c, R_xlen_t n, double *const flow[],
                         const double errors[]) {
   for (size_t k = 0; k < c->n_flows; k++) {
@@ -475,14 +476,15 @@ static void fill_errors(const rot_constraint *c, R_xlen_t n, double *const flow[
   }
 }
 
-/* Rows at events, and what they become: list(columns, ledger), with a ledger if the run has one. */
+/* Rows at events. */
 typedef struct event_rows {
   const shown *shown;
   rot_event_rows rows;
-  SEXP to;
+  SEXP to;              /* run.out */
   const double *errors; /* of the flows; NULL: no ledger */
 } event_rows;
 
+/* rows at events => list(columns, ledger), with a ledger if the run has one */
 static SEXP take_event_rows(void *data) {
   static const char *const names[] = {"columns", "ledger", ""};
   const event_rows *from = data;
@@ -519,9 +521,9 @@ static SEXP take_event_rows(void *data) {
 
 enum { ACCURACY, MAX_STEPS, ASKED, RESOLUTION, FLOWS, AT_EVENTS, STEP, CONTROLS };
 
-/* One model. `control` is c(accuracy, max_steps, asked, resolution, flows, event_rows, step_s):
- * flows are in the ledger, which a model by steps has always; 2: of all effects, those that are
- * left out included. `laws`: see glue/input.h. */
+/* (scene, model, times) => run. control: c(accuracy, max_steps, asked, resolution, flows,
+ * event_rows, step_s). flows 1: with a ledger, which models that step in time always have; 2: flows
+ * of all effects, also of those left out. laws: see glue/input.h. */
 SEXP ffi_scene_run(SEXP id, SEXP scene, SEXP model, SEXP time_s, SEXP control, SEXP laws,
                    SEXP progress) {
   const rot_constraint *c = ffi_constraint(id);
@@ -575,7 +577,7 @@ SEXP ffi_scene_run(SEXP id, SEXP scene, SEXP model, SEXP time_s, SEXP control, S
 
 /* ---- the most common run in one call --------------------------------------------------------- */
 
-enum { QUICK_ROWS = 100000 }; /* more take so long that they show their progress */
+enum { QUICK_ROWS = 100000 }; /* longer runs show their progress */
 
 static int quick_times(const rot_constraint *c, const void *built, SEXP time_s) {
   if (TYPEOF(time_s) != REALSXP || Rf_isObject(time_s)) return 0;
@@ -588,7 +590,7 @@ static int quick_times(const rot_constraint *c, const void *built, SEXP time_s) 
   return 1;
 }
 
-/* Whether bodies are known to rounding. */
+/* 1 if all bodies in x have errors at rounding level. */
 static int is_sure(SEXP x) {
   if (TYPEOF(x) != VECSXP) return 1;
   if (Rf_isObject(x)) {
@@ -609,9 +611,9 @@ static int sure_bodies(const rot_maker *maker, SEXP scene) {
   return i == maker->n_inputs;
 }
 
-/* list(model, run) by the cheapest model: a closed form that takes the scene unchanged, has no
- * column of its own, and errs by roundings, as its bodies do. NULL where anything else is so, which
- * R says. */
+/* => list(model, run) by the cheapest model, if that is a closed form for the unchanged scene,
+ * without index columns, with errors of run and bodies at rounding level. NULL in all other cases,
+ * which R handles. */
 SEXP ffi_scene_quick(SEXP id, SEXP form, SEXP scene, SEXP time_s, SEXP accuracy) {
   const rot_constraint *c = ffi_constraint(id);
   if (c->index || !Rf_isNull(fault_of_scene(c, form, scene))) return R_NilValue;
@@ -660,9 +662,9 @@ SEXP ffi_scene_quick(SEXP id, SEXP form, SEXP scene, SEXP time_s, SEXP accuracy)
 
 /* ---- balances -------------------------------------------------------------------------------- */
 
-/* list(value, explained, balance, role, words): of terms, whose words are NA where the scene has no
- * such term; `explained` is of balances. `first` and `last`: the columns at two times, each with
- * its copies; `flow`, `flow_error`: between them; `error`: of the measures. */
+/* => list(value, explained, balance, role, words) of terms; `explained` of balances; words NA: the
+ * scene has no such term. first, last: columns at two times, with all rows of that time; flow,
+ * flow_error: between them; error: of the measures. */
 SEXP ffi_scene_audit(SEXP id, SEXP scene, SEXP time_s, SEXP first, SEXP last, SEXP flow,
                      SEXP flow_error, SEXP error) {
   static const char *const names[] = {"value", "explained", "balance", "role", "words", ""};
@@ -695,8 +697,8 @@ SEXP ffi_scene_audit(SEXP id, SEXP scene, SEXP time_s, SEXP first, SEXP last, SE
   return out;
 }
 
-/* list(conserved, why, about, unit), by balance and what else is known; a balance of which nothing
- * is known is not conserved. */
+/* => list(conserved, why, about, unit) of balances and other conserved quantities; a balance of
+ * unknown conservation is FALSE */
 SEXP ffi_scene_conserved(SEXP id, SEXP scene) {
   static const char *const names[] = {"conserved", "why", "about", "unit", ""};
   const rot_constraint *c = ffi_constraint(id);
@@ -727,7 +729,7 @@ SEXP ffi_scene_conserved(SEXP id, SEXP scene) {
   return out;
 }
 
-/* list(breaks_s, fades_s, swing_rad_per_s) */
+/* => list(breaks_s, fades_s, swing_rad_per_s) */
 SEXP ffi_scene_time_scales(SEXP id, SEXP scene, SEXP sizes) {
   static const char *const names[] = {"breaks_s", "fades_s", "swing_rad_per_s", ""};
   const rot_constraint *c = ffi_constraint(id);

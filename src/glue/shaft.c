@@ -1,10 +1,10 @@
-/* For R: the modes of rotors on one shaft. */
+/* For R: modes of rotors on one shaft. */
 #include "glue/run.h"
 #include "glue/scene.h"
 #include "scene/shaft/modal.h"
 #include "scene/shaft/models.h"
 
-/* list(frequencies, info): the angular frequencies of the undamped shaft, NA where it failed. */
+/* => list(frequencies, info): angular frequencies of the undamped shaft, NA if it failed */
 SEXP ffi_rotors_frequencies(SEXP scene, SEXP progress) {
   static const char *const names[] = {"frequencies", "info", ""};
   const rot_shaft_params p =

@@ -7,7 +7,7 @@
 
 static SEXP strings(R_xlen_t n) { return Rf_allocVector(STRSXP, n); }
 
-/* Names of a shape's sizes. */
+/* => names of a shape's sizes */
 static SEXP size_names(const rot_shape *shape) {
   SEXP names = PROTECT(strings(shape->sizes));
   for (int k = 0; k < shape->sizes; k++) {
@@ -17,7 +17,7 @@ static SEXP size_names(const rot_shape *shape) {
   return names;
 }
 
-/* The list of shapes, as columns, and the list of sizes. */
+/* => columns of the list of shapes, and of the list of sizes */
 SEXP ffi_shapes_list(void) {
   static const char *const names[] = {"shape", "dimension", "sizes", "size", "kind", ""};
   const R_xlen_t n = (R_xlen_t)rot_shape_count();
@@ -49,12 +49,12 @@ static const rot_shape *shape_of(SEXP id) {
   return rot_shape_at((size_t)INTEGER(id)[0] - 1);
 }
 
-/* c(fault, row, slot), the last two from 1: R makes the message. */
+/* => c(fault, row, slot), the last two from 1; R makes the message */
 static SEXP fault_of(rot_shape_fault fault, size_t row, int slot) {
   return ffi_numbers(3, (const double[]){(double)fault, (double)row + 1.0, slot + 1.0});
 }
 
-/* One body: mass, six second moments, centre, reach, beta, error. */
+/* => one body: mass, six second moments, centre, reach, beta, error */
 SEXP ffi_shapes_body(SEXP id, SEXP amount, SEXP is_density, SEXP sizes) {
   const rot_shape *shape = shape_of(id);
   const double *given = ffi_reals(sizes, "sizes", shape->sizes);
@@ -71,8 +71,8 @@ SEXP ffi_shapes_body(SEXP id, SEXP amount, SEXP is_density, SEXP sizes) {
   return ffi_vectors(6, NULL, parts);
 }
 
-/* A NaN of the core for "no beta", and the moments of a row that has only beta, become NA. Other
- * NaN are results. */
+/* NaN becomes NA for a missing beta and for the moments of a row that has only beta. Other NaN are
+ * results. */
 static void mark_missing(double *columns[], const int shape[], R_xlen_t n) {
   for (R_xlen_t i = 0; i < n; i++) {
     if (ISNAN(columns[ROT_SHAPE_ROLLS][i])) columns[ROT_SHAPE_ROLLS][i] = NA_REAL;
@@ -80,7 +80,7 @@ static void mark_missing(double *columns[], const int shape[], R_xlen_t n) {
   }
 }
 
-/* Every shape that occurs must have its columns; used[0] is for rows that have only beta. */
+/* Checks that each shape in use has its columns; used[0]: rows that have only beta. */
 static void check_columns(const int used[], const rot_shape_rows *rows) {
   if (used[0] && !rows->size[ROT_RADIUS].values) Rf_error("internal: no `radius_m`");
   for (size_t i = 0; i < rot_shape_count(); i++) {
@@ -91,8 +91,8 @@ static void check_columns(const int used[], const rot_shape_rows *rows) {
   }
 }
 
-/* Rows of shapes: ids from 1, 0 for a row that has only beta. `sizes` is a list in the order of
- * the sizes, NULL where no row needs it. */
+/* rows of shapes => columns. Ids from 1, 0 for a row that has only beta; `sizes`: list of columns
+ * in the order of the sizes, NULL for a size that no row needs. */
 SEXP ffi_shapes_table(SEXP id, SEXP mass, SEXP beta, SEXP sizes) {
   static const char *const names[] = {
       "moment_of_inertia_kg_m2", "ixx_kg_m2", "iyy_kg_m2", "izz_kg_m2", "beta",

@@ -1,4 +1,4 @@
-/* For R: records, their smoothed rows, breaks and draws. */
+/* For R: smoothing of records: fits, rows, breaks, random draws. */
 #include "measure/smooth.h"
 
 #include <math.h>
@@ -16,8 +16,9 @@ static const int *segments_of(SEXP list, R_xlen_t n) {
   return INTEGER_RO(x);
 }
 
-/* A record: time_s, theta, omega (or NULL), w_theta, w_omega (a copy is kept), segment, floor; slow
- * and clock (or NULL), slow_channel (0 angles, 1 rates). */
+/* list(time_s, theta, omega, w_theta, w_omega, segment, floor, slow, clock, slow_channel) =>
+ * record. theta, omega, slow may be NULL; the weights are copied; slow_channel: 0 angles, 1 rates.
+ */
 static rot_smooth_record read_record(SEXP list) {
   static const char *const values[] = {"theta", "omega"}, *const weights[] = {"w_theta", "w_omega"};
   rot_smooth_record record;
@@ -49,7 +50,7 @@ static rot_smooth_record read_record(SEXP list) {
   return record;
 }
 
-/* Breaks: time_s, segment, first; with room for more. */
+/* list(time_s, segment, first) => n breaks, with space for `room` more */
 static rot_smooth_break *read_breaks(SEXP list, size_t room, size_t *n) {
   SEXP time = ffi_element(list, "time_s");
   *n = (size_t)XLENGTH(time);
@@ -66,7 +67,7 @@ static rot_smooth_break *read_breaks(SEXP list, size_t room, size_t *n) {
   return out;
 }
 
-/* Order, lambda, ratio, sigma; what write_fit() adds where it is there. */
+/* c(order, lambda, ratio, sigma), or all numbers of write_fit() => fit */
 static rot_smooth_fit read_fit(SEXP x) {
   const int whole = XLENGTH(x) == 8;
   const double *v = ffi_reals(x, "fit", whole ? 8 : 4);
@@ -88,8 +89,8 @@ static SEXP write_fit(const rot_smooth_fit *fit) {
   return ffi_numbers(8, numbers);
 }
 
-/* Orders (first, last), most breaks to look for, whether samples may be left out. The fit, the
- * breaks, and which samples of each channel are left out. */
+/* record, breaks => fit, breaks, excluded samples of each channel. options: first and last order,
+ * max breaks to find, whether samples may be excluded. */
 SEXP ffi_smooth_fit(SEXP list, SEXP breaks, SEXP options, SEXP progress) {
   static const char *const names[] = {"fit", "time_s", "segment", "first", "left_out", ""};
   const double *v = ffi_reals(options, "options", 4);
@@ -122,7 +123,7 @@ SEXP ffi_smooth_fit(SEXP list, SEXP breaks, SEXP options, SEXP progress) {
   return out;
 }
 
-/* -2 log L of the fit's order, lambda and ratio, and sigma. */
+/* => -2 log L and sigma for the fit's order, lambda and ratio */
 SEXP ffi_smooth_objective(SEXP list, SEXP breaks, SEXP fit) {
   const rot_smooth_record record = read_record(list);
   const rot_smooth_fit of = read_fit(fit);
@@ -142,7 +143,7 @@ SEXP ffi_smooth_objective(SEXP list, SEXP breaks, SEXP fit) {
   return ffi_numbers(2, out);
 }
 
-/* The fit with its breaks known, with an order up to the last one: see rot_smooth_refine(). */
+/* fit with known breaks => refined fit, see rot_smooth_refine() */
 SEXP ffi_smooth_refine(SEXP list, SEXP breaks, SEXP fit, SEXP last_order, SEXP progress) {
   const double *last = ffi_reals(last_order, "last_order", 1);
   const rot_smooth_record record = read_record(list);
@@ -159,7 +160,7 @@ SEXP ffi_smooth_refine(SEXP list, SEXP breaks, SEXP fit, SEXP last_order, SEXP p
   return write_fit(&refined);
 }
 
-/* What follows needs: a grid with samples, breaks and other times, filtered. */
+/* A filtered grid of samples, breaks and other times. */
 typedef struct smoothed {
   rot_smooth_record record;
   rot_smooth_break *breaks;
@@ -170,6 +171,7 @@ typedef struct smoothed {
   rot_smooth_store store;
 } smoothed;
 
+/* (record, breaks, fit, times) => filtered grid; smoothed_free() in each case */
 static rot_status smoothed_new(SEXP list, SEXP breaks, SEXP fit, SEXP times, smoothed *out) {
   SEXP time = ffi_element(times, "time_s");
   rot_smooth_sums sums;
@@ -197,9 +199,9 @@ static void smoothed_free(smoothed *of) {
   rot_smooth_grid_free(&of->grid);
 }
 
-/* At the samples and the other times: angle, rate, acceleration, their covariances; at the samples
- * the leave-one-out residuals in units of sigma and the scores of shocks in the last state; the
- * share P/w^2 of degrees of freedom. */
+/* => at the samples and the other times: angle, rate, acceleration, their covariances; at the
+ * samples: leave-one-out residuals in units of sigma, scores of shocks in the last state; sum of
+ * P/w^2, the degrees of freedom of the smoother */
 SEXP ffi_smooth_rows(SEXP list, SEXP breaks, SEXP fit, SEXP times) {
   enum { COLUMNS = 9 };
   static const char *const names[] = {"theta", "omega", "alpha", "v00", "v01",
@@ -215,7 +217,7 @@ SEXP ffi_smooth_rows(SEXP list, SEXP breaks, SEXP fit, SEXP times) {
   SET_VECTOR_ELT(out, 2, Rf_allocVector(REALSXP, CHANNELS * n));
   SET_VECTOR_ELT(out, 4, Rf_allocVector(REALSXP, n));
   double used = 0.0;
-  /* Nothing that may jump is called once the core has memory. */
+  /* No call that may jump follows while the core has memory allocated. */
   const size_t max = (size_t)(n + m + 2 * XLENGTH(ffi_element(breaks, "time_s")));
   double *mean = (double *)R_alloc(max * (ROT_SMOOTH_MAX + 7 + CHANNELS) + 1, sizeof *mean);
   rot_status status = smoothed_new(list, breaks, fit, times, &of);
@@ -256,8 +258,8 @@ SEXP ffi_smooth_rows(SEXP list, SEXP breaks, SEXP fit, SEXP times) {
   return out;
 }
 
-/* For each break: the error of its time; jumps of omega and alpha, their variances and covariance;
- * the same of omega and alpha behind it. */
+/* => for each break: error of its time; jumps of omega and alpha, their variances and covariance;
+ * omega and alpha after it, with the same */
 SEXP ffi_smooth_breaks(SEXP list, SEXP breaks, SEXP fit) {
   enum { COLUMNS = 11 };
   static const char *const names[] = {"time_error_s", "omega_jump", "alpha_jump",  "v11",
@@ -303,7 +305,8 @@ SEXP ffi_smooth_breaks(SEXP list, SEXP breaks, SEXP fit) {
   return out;
 }
 
-/* Draws of the rate at other times: a vector by times, then draws; options: draws, seed. */
+/* => random draws of the rate at other times, a vector by times, then draws; options: number of
+ * draws, seed */
 SEXP ffi_smooth_draws(SEXP list, SEXP breaks, SEXP fit, SEXP times, SEXP options) {
   smoothed of;
   const double *v = ffi_reals(options, "options", 2);

@@ -3,7 +3,7 @@
 
 #include "glue/run.h"
 
-/* Points, forces and couples: 3 numbers for each. */
+/* points, forces, couples (3 numbers each) => sums about a point, central axis */
 SEXP ffi_statics_sums(SEXP at, SEXP force, SEXP couple, SEXP about) {
   static const char *const names[] = {"force", "torque", "point", "axis", ""};
   const double *r = ffi_reals(at, "at", -1);
@@ -18,7 +18,7 @@ SEXP ffi_statics_sums(SEXP at, SEXP force, SEXP couple, SEXP about) {
   return ffi_vectors(4, names, parts);
 }
 
-/* Reads a structure; its arrays live as long as R_alloc()'s. */
+/* list => structure; its arrays are valid until the call from R ends */
 static rot_structure read_structure(SEXP list) {
   rot_structure s;
   SEXP couples = ffi_element(list, "is_couple"), friction = ffi_element(list, "friction");
@@ -64,6 +64,7 @@ static rot_structure read_structure(SEXP list) {
   return s;
 }
 
+/* structure => reactions, errors, ranges, motion, state */
 SEXP ffi_statics_solve(SEXP list) {
   static const char *const names[] = {"reaction", "error", "determined", "lowest", "highest",
                                       "sigma",    "about", "velocity",   "omega",  "state",
@@ -87,7 +88,7 @@ SEXP ffi_statics_solve(SEXP list) {
   return ffi_vectors(10, names, parts);
 }
 
-/* `chosen`: a number for each load, not 0 for those that the factor is of. */
+/* => c(status, min, max factor); chosen: a number per load, > 0 if the factor applies to it */
 SEXP ffi_statics_factors(SEXP list, SEXP chosen) {
   const rot_structure s = read_structure(list);
   const double *wanted = ffi_reals(chosen, "chosen", (R_xlen_t)s.loads);

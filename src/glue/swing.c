@@ -1,4 +1,4 @@
-/* For R: swings: rows and extremes with derivatives; noise of residuals, whitening. */
+/* For R: rows and extremes of oscillations, with derivatives; noise of residuals, whitening. */
 #include <string.h>
 
 #include "glue/ffi.h"
@@ -14,7 +14,7 @@ static rot_swing read_swing(SEXP parameters, SEXP kind) {
   return swing;
 }
 
-/* Values, and a row of P derivatives for each. `kind`: spring, rate. */
+/* => values, a row of P derivatives for each; kind: c(spring, rate) */
 SEXP ffi_swing_rows(SEXP parameters, SEXP kind, SEXP start, SEXP times) {
   static const char *const names[] = {"value", "derivative", "status", ""};
   const rot_swing swing = read_swing(parameters, kind);
@@ -32,6 +32,7 @@ SEXP ffi_swing_rows(SEXP parameters, SEXP kind, SEXP start, SEXP times) {
   return ffi_vectors(3, names, parts);
 }
 
+/* => times, values and derivatives of at most `max` extremes; span: c(start, end) */
 SEXP ffi_swing_extremes(SEXP parameters, SEXP kind, SEXP span, SEXP max) {
   static const char *const names[] = {"time_s", "value", "derivative", "status", ""};
   const rot_swing swing = read_swing(parameters, kind);
@@ -50,8 +51,8 @@ SEXP ffi_swing_extremes(SEXP parameters, SEXP kind, SEXP span, SEXP max) {
   return ffi_vectors(4, names, parts);
 }
 
-/* The noise of residuals: tau, white share, gain, at its cap, status. `columns`: a row of p numbers
- * for each time, as a vector. `limits`: cap of tau, threshold. */
+/* residuals => c(tau, white fraction, gain, tau at its limit, status) of their noise. columns: a
+ * row of p numbers per time, as a vector; limits: c(max tau, threshold). */
 SEXP ffi_noise(SEXP times, SEXP columns, SEXP residual, SEXP limits) {
   const double *t = ffi_reals(times, "times", -1), *limit = ffi_reals(limits, "limits", 2);
   const R_xlen_t n = XLENGTH(times);
@@ -70,8 +71,8 @@ SEXP ffi_noise(SEXP times, SEXP columns, SEXP residual, SEXP limits) {
   return ffi_numbers(5, numbers);
 }
 
-/* Whitened columns, at most ROT_WHITEN_COLUMNS, as given to ffi_noise(). `noise`: tau, share that
- * is white. */
+/* columns as for ffi_noise(), at most ROT_WHITEN_COLUMNS => whitened; noise: c(tau, white fraction)
+ */
 SEXP ffi_whiten(SEXP times, SEXP columns, SEXP noise) {
   const double *t = ffi_reals(times, "times", -1), *x = ffi_reals(noise, "noise", 2);
   const R_xlen_t n = XLENGTH(times), size = XLENGTH(columns);

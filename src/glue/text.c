@@ -6,7 +6,7 @@
 #include "glue/ffi.h"
 #include "ground/text.h"
 
-/* Each number as text. */
+/* numbers => texts */
 SEXP ffi_text_numbers(SEXP x) {
   const R_xlen_t n = XLENGTH(x);
   const double *values = ffi_reals(x, "x", n);
@@ -22,11 +22,11 @@ SEXP ffi_text_numbers(SEXP x) {
 
 /* ---- JSON ------------------------------------------------------------------------------------ */
 
-/* Text that grows: R frees it. `comma`: what is between the elements of an array of values. */
+/* A growing text in R's memory. */
 typedef struct text_sink {
   char *text;
-  size_t length, room;
-  const char *comma;
+  size_t length, room; /* used, allocated */
+  const char *comma;   /* separator of the elements of an array of values */
 } text_sink;
 
 static char *room_for(text_sink *out, size_t more) {
@@ -50,6 +50,7 @@ static void write_string(text_sink *out, SEXP string) {
   out->length += rot_text_string(text, room_for(out, 6 * strlen(text) + 3));
 }
 
+/* Writes element i of an atomic vector. */
 static void write_value(text_sink *out, SEXP x, R_xlen_t i) {
   char text[ROT_TEXT_SIZE];
   double number = NA_REAL;
@@ -71,7 +72,7 @@ static void write_value(text_sink *out, SEXP x, R_xlen_t i) {
   write_plain(out, quote);
 }
 
-/* `n` of the values from `first` on, `step` apart. */
+/* Writes n values as an array, from index `first` in steps of `step`. */
 static void write_values(text_sink *out, SEXP x, R_xlen_t first, R_xlen_t n, R_xlen_t step) {
   write_plain(out, "[");
   for (R_xlen_t i = 0; i < n; i++) {
@@ -92,6 +93,7 @@ static int by_bytes(const void *a, const void *b) {
   return order != 0 ? order : one->at < two->at ? -1 : 1;
 }
 
+/* Writes x: vector, matrix by rows, list as array, named list as object. */
 static void write_any(text_sink *out, SEXP x) {
   R_CheckStack();
   const R_xlen_t n = Rf_xlength(x);
@@ -140,7 +142,7 @@ static void write_any(text_sink *out, SEXP x) {
   }
 }
 
-/* A value as JSON without blanks, keys sorted by bytes. */
+/* x => JSON without blanks, keys sorted by bytes */
 SEXP ffi_text_json(SEXP x, SEXP comma) {
   text_sink out = {R_alloc(1024, 1), 0, 1024, ffi_text(comma, "comma")};
   write_any(&out, x);
@@ -148,7 +150,7 @@ SEXP ffi_text_json(SEXP x, SEXP comma) {
   return Rf_ScalarString(Rf_mkCharLenCE(out.text, (int)out.length, CE_UTF8));
 }
 
-/* Each string in quotes. */
+/* strings => quoted strings */
 SEXP ffi_text_strings(SEXP x) {
   if (TYPEOF(x) != STRSXP) Rf_error("`x` must be text");
   const R_xlen_t n = XLENGTH(x);

@@ -35,7 +35,7 @@ static SEXP numbers_of(const double x[], size_t n) {
   return out;
 }
 
-/* Of one number, NA counts as one. */
+/* 1 if the value is n numbers; a logical NA counts as one number. */
 static int fits(SEXP value, size_t n) {
   const int type = TYPEOF(value);
   if (Rf_xlength(value) != (R_xlen_t)n || Rf_isObject(value)) return 0;
@@ -49,11 +49,12 @@ static double number_at(SEXP value, size_t i) {
   return x == NA_INTEGER ? NA_REAL : x;
 }
 
+/* law->x => law->value by a call of the R function; may jump */
 static SEXP call_torque(void *data) {
   ffi_torque *law = data;
   const double *x = law->x;
   const size_t *size = law->size;
-  /* New numbers each time: f may keep the ones it was given. */
+  /* New vectors for each call: f may keep its arguments. */
   for (SEXP cell = CDR(law->call); cell != R_NilValue; cell = CDR(cell)) {
     SETCAR(cell, numbers_of(x, *size));
     x += *size++;
@@ -87,8 +88,8 @@ rot_status ffi_torque_call(double time_s, double theta_rad, double omega_rad_per
   return ffi_torque_values_at(argument, torque_n_m, ctx);
 }
 
-/* The law at each time, the angle and rate held at state = c(theta, omega). The core is not on the
- * stack: no guard. */
+/* (law, times) => values at constant state = c(theta, omega). The core is not on the stack: no
+ * guard. */
 SEXP ffi_torque_values(SEXP law, SEXP time_s, SEXP state) {
   const double *t = ffi_reals(time_s, "time_s", -1), *y = ffi_reals(state, "state", 2);
   const R_xlen_t n = XLENGTH(time_s);

@@ -1,11 +1,10 @@
-/* For R: the shafts of a gear train, and the train as one body on the axle of the first. */
+/* For R: shafts of a gear train, and the train reduced to the first shaft. */
 #include "glue/run.h"
 #include "scene/axle/train.h"
 
 static void *take(size_t bytes) { return R_alloc(bytes, 1); }
 
-/* list(columns, law) of n shafts and n - 1 meshes: a row of columns for each shaft; the law in
- * names. */
+/* n shafts, n - 1 meshes => list(columns, law): a row per shaft; named numbers of the law */
 SEXP ffi_train(SEXP inertia, SEXP ratios, SEXP efficiency, SEXP torque, SEXP viscous) {
   static const char *const parts[] = {"columns", "law", ""};
   static const char *const names[] = {"ratio_to_first", "reflected_inertia_kg_m2",

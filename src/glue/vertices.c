@@ -2,7 +2,7 @@
 #include "glue/ffi.h"
 #include "body/vertices.h"
 
-/* The list of ffi_shapes_body() and the measure; or c(fault, edge, edge), edges from 1. */
+/* => list of ffi_shapes_body() and the measure; or c(fault, edge, edge), edges from 1 */
 static SEXP result(rot_status status, rot_vertices_fault fault, const rot_vertices_body *body) {
   if (status == ROT_ENOMEM) Rf_error("internal: out of memory");
   if (status != ROT_OK) {
@@ -16,7 +16,7 @@ static SEXP result(rot_status status, rot_vertices_fault fault, const rot_vertic
   return ffi_vectors(7, NULL, parts);
 }
 
-/* `vertices` is a matrix of n rows and two columns. */
+/* matrix of n rows and two columns => body */
 SEXP ffi_vertices_polygon(SEXP vertices, SEXP amount, SEXP is_density, SEXP progress) {
   const R_xlen_t n = XLENGTH(vertices) / 2;
   rot_vertices_body body = {0};
@@ -30,7 +30,7 @@ SEXP ffi_vertices_polygon(SEXP vertices, SEXP amount, SEXP is_density, SEXP prog
   return result(status, fault, &body);
 }
 
-/* A matrix of four rows and three columns. */
+/* matrix of four rows and three columns => body */
 SEXP ffi_vertices_tetrahedron(SEXP vertices, SEXP amount, SEXP is_density) {
   rot_vertices_body body = {0};
   rot_vertices_fault fault;

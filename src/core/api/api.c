@@ -49,7 +49,7 @@ const char *rotdyn_version(void) { return ROTDYN_VERSION; }
 
 /* ---- rolling, energies, shapes, models ------------------------------------------------------- */
 
-/* NaN outside the domain, as for NaN. */
+/* => x, or NaN outside [lo, hi] */
 static double within(double x, double lo, double hi) { return x >= lo && x <= hi ? x : NAN; }
 
 static double from_0(double x) { return within(x, 0.0, INFINITY); }
@@ -141,7 +141,7 @@ int rotdyn_shape_moments(const char *shape, double mass_kg, size_t n_sizes, cons
   rotdyn_moments m = {0};
   rot_shape_body body;
   rot_shape_make(found, mass_kg, 0, sizes, &body);
-  /* The table has one rounding less in its moments. */
+  /* Moments from the table have one rounding less. */
   const int at = (int)i;
   double column[ROT_SHAPE_COLUMNS], *to[ROT_SHAPE_COLUMNS];
   rot_shape_rows rows = {&at, 0, {&mass_kg, 0}, {&mass_kg, 0}, {{NULL, 0}}};
@@ -186,7 +186,7 @@ enum { COLUMNS = 7 };
 
 typedef struct job {
   rot_api_built built;
-  rot_axle_scene scene; /* as built; what differs by row is changed here */
+  rot_axle_scene scene; /* copy, with the numbers of the present row */
   rotdyn_options options;
   rot_hooks hooks;
   rotdyn_report report;
@@ -222,10 +222,10 @@ static rotdyn_status open_job(const rotdyn_object *scene, const rotdyn_options *
 typedef struct sweep {
   rot_axle_sweep_rows rows;
   rot_axle_sweep_columns out;
-  double *scratch; /* columns that the caller does not want, the viscous column with a motor */
-  int *statuses;
+  double *scratch; /* columns not wanted by the caller, the viscous column with a motor */
+  int *statuses;   /* NULL: the caller's */
   double min_viscous, max_viscous;
-  int scaled;
+  int scaled; /* 1: a torque_scale other than 1 */
 } sweep;
 
 static rot_column column_or(rotdyn_column column, const double *otherwise) {
@@ -234,6 +234,7 @@ static rot_column column_or(rotdyn_column column, const double *otherwise) {
   return out;
 }
 
+/* Checks each row; finds the range of viscous coefficients. */
 static rotdyn_status check_sweep(job *j, sweep *s) {
   const rot_axle_sweep_rows *r = &s->rows;
   s->min_viscous = INFINITY;
@@ -258,6 +259,7 @@ static rotdyn_status check_sweep(job *j, sweep *s) {
   return ROTDYN_OK;
 }
 
+/* caller's columns => rows, output columns; the scene's numbers where a column is NULL */
 static rotdyn_status open_sweep(job *j, size_t n, const rotdyn_sweep_in *in,
                                 const rotdyn_sweep_out *out, sweep *s) {
   static const double one = 1.0;
@@ -294,7 +296,7 @@ static rotdyn_status open_sweep(job *j, size_t n, const rotdyn_sweep_in *in,
   return ROTDYN_OK;
 }
 
-/* The closed form that takes what acts in any of the rows; NULL: "axle_linear". */
+/* => closed form for the effects of all rows; NULL: "axle_linear" */
 static rotdyn_status sweep_model(job *j, const sweep *s, rot_axle_model *model, const char **name) {
   rot_candidate all[ROT_MAX_MODELS];
   rot_axle_scene *scene = &j->scene;
@@ -323,6 +325,7 @@ static rotdyn_status sweep_model(job *j, const sweep *s, rot_axle_model *model, 
   return ROTDYN_EMODEL;
 }
 
+/* rows => output columns, report */
 static rotdyn_status run_sweep(job *j, sweep *s) {
   rotdyn_report *info = &j->report;
   const rot_axle_scene *scene = &j->scene;
@@ -388,7 +391,7 @@ const rotdyn_api *rotdyn_get_api(int major) {
   return major == ROTDYN_API_MAJOR ? &api : NULL;
 }
 
-/* In a library nobody calls R's initialiser. */
+/* A library without R has no initialiser of R. */
 #if defined ROTDYN_BUILD && defined __GNUC__
 __attribute__((constructor)) static void load(void) { rot_gsl_begin(); }
 #endif

@@ -8,10 +8,11 @@
 
 #include "api/work.h"
 
-/* The rows of a run, all columns, and its flows. */
+/* All columns and flows of a run. */
 typedef struct rows {
-  void *column[ROT_MAX_COLUMNS]; /* doubles or flags, in memory of doubles */
-  double *flow[ROT_MAX_FLOWS], flow_error[ROT_MAX_FLOWS];
+  void *column[ROT_MAX_COLUMNS];    /* doubles or flags, in memory of doubles */
+  double *flow[ROT_MAX_FLOWS];      /* since the start, at each time */
+  double flow_error[ROT_MAX_FLOWS]; /* of all rows */
   double *memory;
 } rows;
 
@@ -31,7 +32,7 @@ static rotdyn_status open_rows(const rot_constraint *c, size_t n, size_t rows_pe
   return ROTDYN_OK;
 }
 
-/* The columns at one time, each with its copies. */
+/* => all columns at one time, rows_per_time values each; NaN for a column that is not shown */
 static void cells_of(const rot_constraint *c, const void *scene, const rows *r, size_t row,
                      size_t rows_per_time, double cell[]) {
   const unsigned effects = c->effects_of(scene);
@@ -48,8 +49,8 @@ static void cells_of(const rot_constraint *c, const void *scene, const rows *r, 
   }
 }
 
-/* The flows that an adaptive model carries along are those of all rows; a closed form gives them at
- * the two times alone, as R asks for them. */
+/* => flows from the first to the last time. An adaptive model integrates them with all rows; a
+ * closed form computes them at the two times only, as for R. */
 static rotdyn_status run_flows(rot_api_work *w, const void *scene, size_t n, const double time_s[],
                                const rot_outcome *ran, rows *r) {
   const rot_constraint *c = w->built.constraint;
@@ -75,7 +76,7 @@ static rotdyn_status run_flows(rot_api_work *w, const void *scene, size_t n, con
   return rot_api_status(o.info.status);
 }
 
-/* Sums as R adds numbers. */
+/* terms => balance; sums in long double, as R's sum() */
 static void fill_balance(const rot_constraint *c, const void *scene, size_t k, const double term[],
                          const double explained[], rotdyn_balance *b) {
   long double sum[3] = {0.0L, 0.0L, 0.0L};
@@ -99,7 +100,7 @@ static void fill_balance(const rot_constraint *c, const void *scene, size_t k, c
   b->explained = explained[k];
   b->balanced =
       !isfinite(b->residual) || !isfinite(b->explained) ? -1 : fabs(b->residual) <= b->explained;
-  if (c->n_kept && k >= c->n_kept) { /* nothing is known */
+  if (c->n_kept && k >= c->n_kept) { /* conservation is unknown */
     b->conserved = -1;
     return;
   }
@@ -111,11 +112,12 @@ static void fill_balance(const rot_constraint *c, const void *scene, size_t k, c
   }
 }
 
+/* scene, times => balance k of the run */
 static rotdyn_status audit(rot_api_work *w, size_t n, const double time_s[], size_t k,
                            rotdyn_balance *b) {
   const rot_constraint *c = w->built.constraint;
   const void *scene = w->built.scene;
-  rot_store store = {0}; /* of the scene that is solved, where effects are left out */
+  rot_store store = {0}; /* of the reduced scene, if effects are left out */
   const size_t rows_per_time = w->report.rows_per_time, cells = c->n_columns * rows_per_time;
   double flow[ROT_MAX_FLOWS], error[ROT_MAX_MEASURES], term[ROT_MAX_TERMS];
   double explained[ROT_MAX_BALANCES];

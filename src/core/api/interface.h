@@ -1,4 +1,4 @@
-/* The header of the C interface, as the core sees it. */
+/* The header of the C interface, for the core. */
 #ifndef ROT_API_INTERFACE_H
 #define ROT_API_INTERFACE_H
 

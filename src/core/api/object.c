@@ -21,25 +21,26 @@ typedef struct caller_law {
   void *context;
 } caller_law;
 
-/* What an input, or a place of a list, was set to. */
+/* The value of an input or of an item of a list. */
 typedef struct value {
   enum { UNSET, NUMBER, NUMBERS, OPTION, TEXT, LAW, OBJECT } is;
   double number;
-  size_t n;
-  double *numbers; /* own */
-  int option;
+  size_t n;        /* of `numbers` */
+  double *numbers; /* freed with the value */
+  int option;      /* index in the input's options */
   caller_law law;
-  rotdyn_object *object; /* own */
+  rotdyn_object *object; /* freed with the value */
 } value;
 
 struct rotdyn_object {
-  const rot_constraint *constraint; /* of a scene */
-  const rot_maker *maker;
-  const rot_part *part; /* of a part; a list has neither */
+  const rot_constraint *constraint; /* of a scene, else NULL */
+  const rot_maker *maker;           /* of a scene, else NULL */
+  const rot_part *part;             /* of a part; a list has neither */
   const rot_input *inputs;
-  size_t n, room; /* values: one for each input, or the items of a list */
+  size_t n;    /* values: one for each input, or items of a list */
+  size_t room; /* values allocated */
   value *values;
-  int depth; /* of the objects in it */
+  int depth; /* levels of nested objects, <= MAX_DEPTH */
 };
 
 /* ---- the tables ------------------------------------------------------------------------------ */
@@ -60,7 +61,7 @@ static const struct {
                   {ROT_INPUT_LIST, "list"},       {ROT_INPUT_NOTHING, "nothing"}};
 enum { KIND_NAMES = sizeof kind_names / sizeof *kind_names };
 
-/* The scenes and parts of a constructor: one of them, or none. */
+/* The scene or the part of a constructor. */
 typedef struct made {
   const rot_constraint *constraint;
   const rot_maker *maker;
@@ -177,7 +178,7 @@ static double *copy_numbers(size_t n, const double x[]) {
   return copy;
 }
 
-/* NULL: no memory. */
+/* => deep copy; NULL: no memory */
 static rotdyn_object *copy_object(const rotdyn_object *from) {
   rotdyn_object *to = calloc(1, sizeof *to);
   if (!to) return NULL;
@@ -201,10 +202,10 @@ static rotdyn_object *copy_object(const rotdyn_object *from) {
 
 /* ---- setting --------------------------------------------------------------------------------- */
 
-/* What a list takes, before an input is known that it is for. */
+/* Kinds of items of a list, whose input is not known yet. */
 enum { IN_A_LIST = ONE_NUMBER | MANY_NUMBERS | ROT_INPUT_LAW | ROT_INPUT_LIST | ROT_INPUT_OBJECTS };
 
-/* The kinds of an input of this name and where its value goes: a place that is added to a list. */
+/* name => kinds of the input, index of its value. For a list (name NULL): index of a new item. */
 static rotdyn_status find(rotdyn_object *object, const char *name, unsigned *kinds, size_t *at) {
   if (!object || (name == NULL) != is_list(object)) return ROTDYN_EARGUMENT;
   if (!name) {
@@ -218,7 +219,7 @@ static rotdyn_status find(rotdyn_object *object, const char *name, unsigned *kin
   return ROTDYN_OK;
 }
 
-/* `v` is the object's from now on. */
+/* Sets value `at`; the object takes ownership of `v`. */
 static rotdyn_status put(rotdyn_object *object, size_t at, value v) {
   if (at == object->n && at == object->room) {
     const size_t room = 2 * object->room + 4;
@@ -285,7 +286,7 @@ int rotdyn_set_text(rotdyn_object *object, const char *input, const char *text) 
   return (int)put(object, at, (value){.is = OPTION, .option = place});
 }
 
-/* A list of numbers alone, for an input that takes numbers; else NULL. */
+/* list => its items as an array, if all are numbers; else NULL */
 static double *numbers_of_list(const rotdyn_object *list) {
   for (size_t i = 0; i < list->n; i++) {
     if (list->values[i].is != NUMBER) return NULL;
@@ -322,7 +323,7 @@ int rotdyn_set_law(rotdyn_object *object, const char *input, rotdyn_law_fn law, 
   return (int)put(object, at, (value){.is = LAW, .law = {law, context}});
 }
 
-/* ---- what the builders read ------------------------------------------------------------------ */
+/* ---- values => inputs of the builders -------------------------------------------------------- */
 
 static rot_status call_law(const double argument[], double result[], void *ctx) {
   const caller_law *law = ctx;
@@ -345,7 +346,7 @@ static rot_status give_list(const rotdyn_object *list, const rot_input *input, s
   return ROT_OK;
 }
 
-/* Numbers for an input that takes a list of them. */
+/* numbers => list of single numbers */
 static rot_status give_each(const value *v, rot_store *store, rot_given *to) {
   rot_given *item = rot_store_get(store, v->n, sizeof *item);
   if (!item) return ROT_ENOMEM;
@@ -356,6 +357,7 @@ static rot_status give_each(const value *v, rot_store *store, rot_given *to) {
   return ROT_OK;
 }
 
+/* object => part, checked and built */
 static rot_status give_part(const rotdyn_object *object, size_t at, rot_store *store, rot_given *to,
                             rot_refusal *no) {
   const rot_part *part = object->part;
@@ -374,14 +376,14 @@ static rot_status give_part(const rotdyn_object *object, size_t at, rot_store *s
   return ROT_OK;
 }
 
-/* The first of these kinds that the input takes. */
+/* => first of these kinds that the input accepts, 0 if none */
 static unsigned first_of(const rot_input *input, unsigned kinds) {
   const unsigned both = input->kinds & kinds;
   return both & (~both + 1u);
 }
 
-/* As what an input takes n numbers: a vector and a quaternion have so many, where it takes any
- * count, too. */
+/* => kind as which an input accepts n numbers. If it accepts any count, a vector must have 3 and a
+ * quaternion 4. */
 static unsigned many_of(const rot_input *input, size_t n) {
   unsigned kinds = input->kinds & MANY_NUMBERS;
   if (kinds & ROT_INPUT_NUMBERS && n != 3) kinds &= ~(unsigned)ROT_INPUT_VECTOR;
@@ -389,6 +391,7 @@ static unsigned many_of(const rot_input *input, size_t n) {
   return kinds & (~kinds + 1u);
 }
 
+/* value of input `at` => as the builders read it; ROT_EVALUE: refused */
 static rot_status give(const value *v, const rot_input *input, size_t at, rot_store *store,
                        rot_given *to, rot_refusal *no) {
   unsigned kind;
@@ -476,7 +479,7 @@ void rot_api_release(rot_api_built *built) {
   rot_store_free(&built->store);
 }
 
-/* A part, alone. */
+/* Checks a part outside a scene. */
 static rotdyn_status check_part(const rotdyn_object *object, rotdyn_report *report) {
   rot_store store = {0};
   rot_given *given;

@@ -31,13 +31,13 @@ int rotdyn_scene_candidate(const rotdyn_object *scene, size_t n, const double *t
 
 /* ---- columns --------------------------------------------------------------------------------- */
 
-/* The caller's columns by their place; flags are written as int, then widened. */
+/* The caller's columns by index; flags are computed as int, then converted. */
 typedef struct places {
-  void *column[ROT_MAX_COLUMNS];
-  double *flags[ROT_MAX_COLUMNS]; /* the caller's */
+  void *column[ROT_MAX_COLUMNS];  /* the caller's, or ints of a flag */
+  double *flags[ROT_MAX_COLUMNS]; /* the caller's columns of flags */
 } places;
 
-/* The place of each name; ROTDYN_ENAME, or ROTDYN_EARGUMENT: twice. */
+/* names => column indices; ROTDYN_ENAME: unknown, ROTDYN_EARGUMENT: twice, or NULL */
 static rotdyn_status find_columns(rot_api_work *w, size_t n, const char *const names[],
                                   double *const columns[], size_t at[]) {
   const rot_constraint *c = w->built.constraint;
@@ -58,7 +58,7 @@ static rotdyn_status find_columns(rot_api_work *w, size_t n, const char *const n
   return ROTDYN_OK;
 }
 
-/* Of `rows` values each. */
+/* columns of `rows` values => places, columns set to 0; close_columns() in each case */
 static rotdyn_status place_columns(const rot_constraint *c, size_t rows, size_t n,
                                    const size_t at[], double *const columns[], places *p) {
   memset(p, 0, sizeof *p);
@@ -70,7 +70,7 @@ static rotdyn_status place_columns(const rot_constraint *c, size_t rows, size_t 
       p->column[at[i]] = calloc(rows + 1, sizeof(int));
       if (!p->column[at[i]]) return ROTDYN_EMEMORY;
     }
-    /* What this scene has no effects for stays 0. */
+    /* Columns without effects in this scene stay 0. */
     for (size_t k = 0; k < rows; k++) columns[i][k] = 0.0;
   }
   return ROTDYN_OK;
@@ -117,27 +117,27 @@ int rotdyn_scene_run(const rotdyn_object *scene, size_t n, const double *time_s,
   return rot_api_close(status, &w, report);
 }
 
-/* ---- many scenes, a row each ----------------------------------------------------------------- */
+/* ---- many scenes, one per row ---------------------------------------------------------------- */
 
-/* What the threads share; none is changed while they work but the rows of the columns. */
+/* Shared by the threads; they write only rows of the output columns. */
 typedef struct many {
   const rot_api_work *w;
   rotdyn_rows_in in;
   rotdyn_rows_out out;
-  size_t place[ROT_MAX_INPUTS]; /* of each input that differs */
-  size_t at[ROT_MAX_COLUMNS];   /* of each column */
+  size_t place[ROT_MAX_INPUTS]; /* index of each input that varies */
+  size_t at[ROT_MAX_COLUMNS];   /* index of each column */
   size_t rows_per_time;
 } many;
 
 static double value_of(rotdyn_column column, size_t i) { return column.values[i * column.step]; }
 
-/* As what an input takes one number; 0: it takes none. */
+/* => kind as which an input accepts one number, 0 if none */
 static unsigned number_kind(const rot_input *input) {
   const unsigned one = input->kinds & (ROT_INPUT_NUMBER | ROT_INPUT_LIMIT);
   return one ? one : input->kinds & ROT_INPUT_NUMBERS;
 }
 
-/* Builds row i of its own numbers, and runs it. */
+/* Builds the scene of row i and runs it; `built`: memory of the scene. */
 static rotdyn_status run_row(const many *m, size_t i, void *built, rotdyn_report *report) {
   const rot_constraint *c = m->w->built.constraint;
   const rot_maker *maker = m->w->built.maker;
@@ -187,6 +187,7 @@ static rotdyn_status run_row(const many *m, size_t i, void *built, rotdyn_report
   return ended;
 }
 
+/* Rows first .. last - 1, for rot_parallel_rows(). */
 static void run_part(const void *frame, size_t first, size_t last) {
   const many *m = frame;
   void *built = malloc(m->w->built.constraint->scene_size);
@@ -205,6 +206,7 @@ static void run_part(const void *frame, size_t first, size_t last) {
   free(built);
 }
 
+/* caller's inputs and columns => `many`, checked */
 static rotdyn_status open_rows(rot_api_work *w, size_t n, const rotdyn_rows_in *in,
                                const rotdyn_rows_out *out, many *m) {
   const rot_maker *maker = w->built.maker;
@@ -237,6 +239,7 @@ static rotdyn_status open_rows(rot_api_work *w, size_t n, const rotdyn_rows_in *
   return find_columns(w, m->out.n_columns, m->out.names, m->out.columns, m->at);
 }
 
+/* Runs all rows in parallel; columns that the caller does not want are temporary. */
 static rotdyn_status run_rows(rot_api_work *w, size_t n, int threads, many *m) {
   int *statuses = NULL;
   double *errors = NULL;

@@ -20,7 +20,7 @@ rotdyn_status rot_api_status(rot_status status) {
   }
 }
 
-/* A struct of an older or newer header ends between members. */
+/* 1 for the size of a struct of an older or newer header, which ends between members. */
 static int possible_size(size_t size) { return size >= sizeof size && size % sizeof(void *) == 0; }
 
 int rot_api_take(const void *from, size_t size, void *to) {

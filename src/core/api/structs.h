@@ -1,4 +1,4 @@
-/* What the C interface's functions share: structs that begin with their size, options, times,
+/* Shared by the functions of the C interface: structs that begin with their size, options, times,
  * statuses, candidates. */
 #ifndef ROT_API_STRUCTS_H
 #define ROT_API_STRUCTS_H
@@ -7,27 +7,33 @@
 #include "engine/events.h"
 #include "scene/choice.h"
 
+/* status of the core => status of the interface */
 rotdyn_status rot_api_status(rot_status status);
 
-/* A copy of the caller's struct, with 0 in what it lacks. What it has beyond `size` must be 0. */
+/* Caller's struct => copy of `size` bytes, with 0 in members that it lacks. Returns 0 for an
+ * invalid size, or if a member beyond `size` is not 0. */
 int rot_api_take(const void *from, size_t size, void *to);
-/* The caller's struct, filled as far as it goes; its size stays. NULL: nothing to fill. */
+/* Fills the members that the caller's struct has; its size is unchanged. `to` may be NULL. Returns
+ * 0 for an invalid size. */
 int rot_api_give(const void *from, size_t size, void *to);
 
+/* 1 if all numbers are finite. */
 int rot_api_finite(size_t n, const double x[]);
-/* Finite, not decreasing, and so is their span. */
+/* 1 if the times and their span are finite and the times do not decrease. */
 int rot_api_times(size_t n, const double t[]);
 
-/* With the defaults where `from` is NULL or 0. NULL, or what is wrong. */
+/* Caller's options (or NULL) => options with defaults for members that are 0. Returns NULL, or the
+ * error. */
 const char *rot_api_options(const rotdyn_options *from, rotdyn_options *to);
 
+/* candidate => the caller's struct */
 rotdyn_status rot_api_candidate(const rot_constraint *constraint, const rot_candidate *candidate,
                                 rotdyn_candidate *out);
-/* By the accuracy, or because none takes the scene: the status, and why. */
+/* No model fits => status and reason: the accuracy, or no model applies to the scene. */
 rotdyn_status rot_api_none_fits(const rot_constraint *constraint, const void *scene,
                                 const rot_query *query, size_t size, char text[]);
 
-/* `to` may be NULL. */
+/* events => the caller's struct (or NULL) */
 void rot_api_events(const rot_events *from, rotdyn_events *to);
 
 #endif

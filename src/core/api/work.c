@@ -42,6 +42,7 @@ int rot_api_close(rotdyn_status status, rot_api_work *w, rotdyn_report *report) 
 
 /* ---- runs ------------------------------------------------------------------------------------ */
 
+/* outcome => report */
 static void report_run(const rot_constraint *c, const rot_outcome *o, rotdyn_report *to) {
   const rot_info *info = &o->info;
   to->rows_done = info->rows_done;

@@ -10,7 +10,8 @@
 #include "body/vertices.h"
 #include "maths/attitude.h"
 
-/* Moments and centre are known; the axle passes through the centre, and it rolls on nothing. */
+/* (mass, centre, second moment) => the other members: an axle through the centre, no rolling radius
+ */
 static rot_status finish(rot_given_body *body, rot_refusal *no) {
   double sum = body->mass_kg;
   rot_inertia_of_second(body->second_kg_m2, body->inertia_kg_m2);
@@ -32,8 +33,8 @@ static const rot_input place_inputs[] = {
     {"rotation", "1", ROT_INPUT_ATTITUDE | ROT_INPUT_NUMBERS | ROT_INPUT_LIST, 0, ROT_NO_DOMAIN,
      NAN, "a quaternion, scalar first, or the three rows of a matrix; default: none", NULL}};
 
-/* One Newton step to the nearest orthogonal matrix, for numbers given with few digits. 0: too far
- * from it, or a mirror. */
+/* given => r, one Newton step towards the nearest orthogonal matrix, for numbers with few digits.
+ * Returns 0 for a matrix too far from a rotation, or a reflection. */
 static int nearest(const double given[9], double r[9]) {
   double m[9], off = 0.0;
   for (int i = 0; i < 3; i++) {
@@ -57,7 +58,7 @@ static int nearest(const double given[9], double r[9]) {
   return off <= 1e-8 && determinant > 0.0;
 }
 
-/* By rows; 0: no rotation. */
+/* given => rotation matrix by rows; returns 0 if it is not a rotation */
 static int read_rotation(const rot_given *given, double r[9]) {
   double rows[9], q[4];
   if (given->is == ROT_INPUT_ATTITUDE) {
@@ -89,6 +90,7 @@ static void move(const double r[9], const double at[3], double x[3]) {
   for (int i = 0; i < 3; i++) x[i] = turned[i] + at[i];
 }
 
+/* (body, at, rotation) => the body rotated, then moved */
 static rot_status build_place(const rot_part *part, const rot_given given[], rot_store *store,
                               void *to, rot_refusal *no) {
   rot_given_body *body = to;
@@ -107,7 +109,7 @@ static rot_status build_place(const rot_part *part, const rot_given given[], rot
   if (!turn) return ROT_OK;
   rot_inertia_rotate(r, given[BODY].body.second_kg_m2, body->second_kg_m2);
   rot_inertia_of_second(body->second_kg_m2, body->inertia_kg_m2);
-  if (!is_identity(r)) body->radius_m = NAN; /* its axis may be another */
+  if (!is_identity(r)) body->radius_m = NAN; /* the rolling axis may no longer be z */
   return ROT_OK;
 }
 
@@ -187,9 +189,10 @@ static rot_status build_cut(const rot_part *part, const rot_given given[], rot_s
 
 /* ---- points ---------------------------------------------------------------------------------- */
 
-/* Of a table: n points; a column of one number is that of all. */
+/* A table of points. */
 typedef struct points {
-  size_t n, length[4];
+  size_t n;
+  size_t length[4];        /* of each column: n, or 1 for a value of all points */
   const double *column[4]; /* mass, x, y, z; NULL: not given */
 } points;
 
@@ -200,6 +203,7 @@ static const rot_input data_inputs[] = {
     COLUMN("x_m", "m", 1, "of each point"), COLUMN("y_m", "m", 1, "of each point"),
     COLUMN("z_m", "m", 0, "of each point, or one for all; default: 0")};
 
+/* columns => table of points; checks their lengths */
 static rot_status build_data(const rot_part *part, const rot_given given[], rot_store *store,
                              void *to, rot_refusal *no) {
   points *p = to;
@@ -225,6 +229,7 @@ static const rot_input points_inputs[] = {
      NULL},
     {"name", "", ROT_INPUT_TEXT, 0, ROT_NO_DOMAIN, NAN, "in words", NULL}};
 
+/* (table, mass of each) => body */
 static rot_status build_points(const rot_part *part, const rot_given given[], rot_store *store,
                                void *to, rot_refusal *no) {
   static const double none = 0.0;
@@ -264,7 +269,7 @@ static const rot_input polygon_inputs[] = {
 static const rot_input tetrahedron_inputs[] = {
     VERTEX_INPUTS("four rows of x, y, z", "density_kg_m3", "kg/m^3")};
 
-/* Rows of so many numbers, to columns; NULL: they are not. */
+/* rows of `width` numbers => columns; NULL if a row has another length */
 static double *columns_of(const rot_given *rows, size_t width, rot_store *store) {
   double *x =
       rows->is == ROT_INPUT_LIST ? rot_store_get(store, width * rows->n + 1, sizeof *x) : NULL;
@@ -276,6 +281,7 @@ static double *columns_of(const rot_given *rows, size_t width, rot_store *store)
   return x;
 }
 
+/* (mass or density, vertices) => polygon or tetrahedron */
 static rot_status build_vertices(const rot_part *part, const rot_given given[], rot_store *store,
                                  void *to, rot_refusal *no) {
   const int flat = part->inputs == polygon_inputs, by_density = given[DENSITY].is != 0;
@@ -309,7 +315,7 @@ static rot_status build_vertices(const rot_part *part, const rot_given given[], 
   return finish(body, no);
 }
 
-/* ---- by all its numbers ---------------------------------------------------------------------- */
+/* ---- body given by all its numbers ----------------------------------------------------------- */
 
 #define X(id, name, kind) ROT_NUMBER_INPUT(name, "", 0, -DBL_MAX, 0, NAN, "as of that shape"),
 static const rot_input size_inputs[] = {ROT_SIZE_LIST(X)};
@@ -354,7 +360,7 @@ static const rot_input numbers_inputs[] = {
     [TURN] = {"frame_turn", "1", ROT_INPUT_NUMBERS | ROT_INPUT_LIST, 0, ROT_NO_DOMAIN, NAN,
               "three rows: how the shape is turned", NULL}};
 
-/* The radius of the shape, where the moments say the same; else what beta says. */
+/* => rolling radius: a radius of the shape if it agrees with the moments, else that from beta */
 static double radius_of(const rot_given_body *body, double beta, const rot_given *sizes) {
   if (!(beta > 0.0 && beta < INFINITY)) return NAN;
   const double from_beta = sqrt(body->inertia_kg_m2[ROT_ZZ] / body->mass_kg / beta);
@@ -366,6 +372,7 @@ static double radius_of(const rot_given_body *body, double beta, const rot_given
   return from_beta;
 }
 
+/* all numbers of a body, as R writes them => body */
 static rot_status build_numbers(const rot_part *part, const rot_given given[], rot_store *store,
                                 void *to, rot_refusal *no) {
   rot_given_body *body = to;
@@ -385,7 +392,7 @@ static rot_status build_numbers(const rot_part *part, const rot_given given[], r
   if (!rot_inertia_possible(body->second_kg_m2)) {
     return rot_refuse(no, SECOND, "is of no body: a second moment along an axis is below 0");
   }
-  /* The end of a rod, the axis of a point, wherever they were moved. */
+  /* The axle of a rod end and of a point is at the origin of the shape, as moved. */
   if (given[SHAPE].is == ROT_INPUT_CHOICE && given[PROVENANCE].is == ROT_INPUT_CHOICE) {
     rot_input_vector(&given[FRAME_AT], body->axle_m);
   }

@@ -7,16 +7,16 @@
 
 #include "ground/dd.h"
 
-/* Where this many nodes do not suffice, the integrand is not smooth, and panels are as good. */
+/* An integrand that needs more nodes is not smooth; panels are then as accurate. */
 #define SINGLE_NODES 96
 #define PANEL_NODES  64
-/* Up to here, and at 32, 64 and 96 nodes, GSL has a table. It computes other nodes to the last
- * digit, but their weights to 8e-15 at 21 nodes and 1e-10 at 63. */
+/* GSL has tables up to this number of nodes, and for 32, 64 and 96. For others it computes the
+ * nodes to the last digit, but the weights only to 8e-15 at 21 nodes and 1e-10 at 63. */
 #define TABLE_NODES  20
-/* Cells for each stream of random numbers. */
+/* Cells per stream of random numbers. */
 #define BLOCK_CELLS  4096
 
-/* ---- from parameters to places --------------------------------------------------------------- */
+/* ---- parameters => coordinates --------------------------------------------------------------- */
 
 static int exponent_of(double x) {
   int e = 0;
@@ -24,7 +24,7 @@ static int exponent_of(double x) {
   return e;
 }
 
-/* Exponents of the factors of a weight: of the parameters, then of the map. */
+/* domain => exponents of the parameters, 0 for angles and cosines */
 static void exponents(const rot_domain *domain, int e[3]) {
   for (int k = 0; k < 3; k++) {
     e[k] = exponent_of(fmax(fabs(domain->low[k]), fabs(domain->high[k])));
@@ -42,10 +42,12 @@ int rot_domain_exponent(const rot_domain *domain) {
   return sum;
 }
 
+/* The map from t in [-1, 1]^3 to x. */
 typedef struct chart {
   const rot_domain *domain;
-  int e[3];
-  double middle[3], half[3], stretch; /* `stretch` without its power of two */
+  int e[3];                  /* from exponents() */
+  double middle[3], half[3]; /* of the parameters' ranges */
+  double stretch;            /* product of the domain's factors, without their powers of two */
 } chart;
 
 static chart chart_of(const rot_domain *domain) {
@@ -60,7 +62,7 @@ static chart chart_of(const rot_domain *domain) {
   return c;
 }
 
-/* Maps t in [-1, 1]^3 to x; returns the determinant, without the domain's power of two. */
+/* t in [-1, 1]^3 => x, determinant of the map without the domain's power of two */
 static double place(const chart *c, const double t[3], double x[3]) {
   double p[3], det = c->stretch;
   for (int k = 0; k < 3; k++) {
@@ -92,8 +94,8 @@ size_t rot_rule_size(size_t n) {
   return PANEL_NODES * ((n + PANEL_NODES - 1) / PANEL_NODES);
 }
 
-/* w = 2/((1 - t^2) P'(t)^2) at the root next to t, by Legendre's recurrence in twice the precision:
- * the root is off t by delta, and dw/w = -2 t delta/(1 - t^2). */
+/* t => weight w = 2/((1 - t^2) P'(t)^2) at the root next to t, by Legendre's recurrence in twice
+ * the precision. The root is at t + delta, and dw/w = -2 t delta/(1 - t^2). */
 static double weight_at(size_t n, double t) {
   rot_dd before = {1.0, 0.0}, p = {t, 0.0};
   for (size_t k = 2; k <= n; k++) {
@@ -155,8 +157,8 @@ void rot_density_nodes(const rot_domain *domain, const rot_rule rule[3], size_t 
 
 /* ---- random points -------------------------------------------------------------------------- */
 
-/* Steele, Lea & Flood, Fast splittable pseudorandom number generators (2014): each bit of the
- * result depends on each bit of x. */
+/* Hash of x: each bit of the result depends on each bit of x (Steele, Lea & Flood, Fast splittable
+ * pseudorandom number generators, 2014). */
 static uint64_t mixed(uint64_t x) {
   x += UINT64_C(0x9e3779b97f4a7c15);
   x = (x ^ (x >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);

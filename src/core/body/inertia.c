@@ -22,7 +22,7 @@ void rot_inertia_of_second(const double c[], double inertia[]) {
   for (int k = ROT_XY; k < ROT_TENSOR; k++) inertia[k] = 0.0 - c[k];
 }
 
-/* (a + b - c)/2 rounded about once: the rounding error of a + b is added at the end. */
+/* => (a + b - c)/2 with about one rounding: the rounding error of a + b is added at the end */
 static double half_excess(double a, double b, double c) {
   double lo, lost;
   const double s = rot_two_sum(0.5 * a, 0.5 * b, &lo), e = rot_two_sum(s, -0.5 * c, &lost);
@@ -71,7 +71,7 @@ void rot_inertia_rotate(const double r[9], const double c[], double out[]) {
 
 /* ---- about an axis -------------------------------------------------------------------------- */
 
-/* n/|n|; scaled first, so that no square leaves the range. */
+/* n => n/|n|, scaled first so that no square over- or underflows */
 static void unit_vector(const double n[3], double u[3]) {
   const double max = fmax(fmax(fabs(n[0]), fabs(n[1])), fabs(n[2]));
   int e;
@@ -87,10 +87,10 @@ double rot_inertia_axis(const rot_inertial *body, const double n[3], const doubl
   unit_vector(n, u);
   for (int i = 0; i < 3; i++) d[i] = body->centre_m[i] - point[i];
   const double x = u[0] * u[0], y = u[1] * u[1], z = u[2] * u[2];
-  /* tr C - u'Cu, without the squares that cancel. */
+  /* tr C - u'Cu, without the terms that cancel. */
   double own = (c[ROT_XX] * (y + z) + c[ROT_YY] * (x + z) + c[ROT_ZZ] * (x + y)) -
                2.0 * (c[ROT_XY] * u[0] * u[1] + c[ROT_XZ] * u[0] * u[2] + c[ROT_YZ] * u[1] * u[2]);
-  /* A rod about its own axis: rounding of either sign, where the moment is at least 0. */
+  /* A rod about its own axis: rounding may give a negative moment. */
   if (body->mass_kg >= 0.0 && own < 0.0) own = 0.0;
   const double cross[3] = {u[1] * d[2] - u[2] * d[1], u[2] * d[0] - u[0] * d[2],
                            u[0] * d[1] - u[1] * d[0]};
@@ -103,7 +103,8 @@ double rot_inertia_axis(const rot_inertial *body, const double n[3], const doubl
 
 /* ---- principal axes ------------------------------------------------------------------------- */
 
-/* Relative gap of eigenvalues below which the eigenvectors are noise: some fifty roundings. */
+/* Relative difference of eigenvalues below which the eigenvectors are undetermined: some fifty
+ * roundings. */
 static const double same = 1e-14;
 
 static void set_axis(double axes[9], int k, const double v[3]) {
@@ -120,12 +121,12 @@ static void cross_product(const double a[3], const double b[3], double out[3]) {
   out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/* The coordinate axis nearest to the plane perpendicular to v, projected into it and normalised;
- * the first of equals. */
+/* v => u: the coordinate axis nearest to the plane perpendicular to v (the first of equals),
+ * projected on the plane and normalized */
 static void nearest_in_plane(const double v[3], double u[3]) {
   int k = 0;
   for (int i = 1; i < 3; i++) {
-    /* By more than rounding: a plane at 45 degrees has two that are equal. */
+    /* By more than rounding: two axes are equally near to a plane at 45 degrees. */
     if (fabs(v[i]) < fabs(v[k]) - 1e-8) k = i;
   }
   for (int i = 0; i < 3; i++) u[i] = (i == k ? 1.0 : 0.0) - v[k] * v[i];
@@ -145,7 +146,7 @@ static void fix_sign(double axes[9], int k) {
   }
 }
 
-/* For equal moments the axes are not unique: those nearest to x, y, z are taken. */
+/* Replaces the axes of equal moments, which are not unique, by those nearest to x, y, z. */
 static void settle_equal_axes(const double second[3], double axes[9]) {
   const int first = second[0] - second[1] <= same * second[0];
   const int last = second[1] - second[2] <= same * second[0];
@@ -176,7 +177,7 @@ rot_status rot_inertia_principal(const double c[], double tolerance, rot_princip
   get_axis(out->axes, 0, e1);
   get_axis(out->axes, 1, e2);
   cross_product(e1, e2, e3);
-  for (int i = 0; i < 3; i++) e3[i] += 0.0; /* no -0 to print */
+  for (int i = 0; i < 3; i++) e3[i] += 0.0; /* -0 becomes 0, for printing */
   set_axis(out->axes, 2, e3);
   const double *s = out->second;
   out->moment[0] = s[1] + s[2];
@@ -193,8 +194,8 @@ typedef struct scales {
   int mass, length;
 } scales;
 
-/* Exponents that scale masses and distances to near 1, so that no product leaves the range; 0 where
- * all finite values are 0. */
+/* => exponents that scale masses and distances to near 1, so that no product over- or underflows; 0
+ * where all finite values are 0 */
 static scales find_scales(size_t n, const rot_inertial part[], const double from[3]) {
   double mass = 0.0, second = 0.0, length = 0.0;
   scales s = {0, 0};
@@ -208,7 +209,7 @@ static scales find_scales(size_t n, const rot_inertial part[], const double from
   if (mass > 0.0) frexp(mass, &s.mass);
   if (length > 0.0 && isfinite(length)) frexp(length, &s.length);
   if (second > 0.0 && isfinite(second)) {
-    /* By exponents: 1e300 kg m^2/1e-300 kg is not a double. */
+    /* From exponents: 1e300 kg m^2/1e-300 kg overflows. */
     int e;
     frexp(second, &e);
     const int own = (e - s.mass) / 2 + 1;
@@ -251,7 +252,7 @@ rot_status rot_inertia_join(size_t n, const rot_inertial part[], rot_inertial *w
   }
   const double m_all = total(&mass);
   if (!isfinite(m_all)) return ROT_EVALUE;
-  /* Without mass the centre is that of the heaviest part. */
+  /* With zero total mass the centre is that of the heaviest part. */
   double mean[3], trace = 0.0, spread = 0.0;
   for (int k = 0; k < 3; k++) mean[k] = m_all == 0.0 ? 0.0 : total(&first[k]) / m_all;
   for (size_t i = 0; i < n; i++) {
@@ -279,7 +280,7 @@ rot_status rot_inertia_join(size_t n, const rot_inertial part[], rot_inertial *w
     whole->second_kg_m2[k] = ldexp(total(&second[k]), s.mass + 2 * s.length);
     if (!isfinite(whole->second_kg_m2[k])) return ROT_ERANGE;
   }
-  /* A term m d d' has two roundings, and two in each d; the sums add one. */
+  /* Roundings: two of a term m d d', two in each d, one of the sums. */
   const double rounding = 8.0 * ROT_EPS * spread;
   *error = rounding <= 0.0 ? 0.0 : trace > 0.0 ? rounding / trace : INFINITY;
   return ROT_OK;

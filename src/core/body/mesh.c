@@ -45,8 +45,8 @@ size_t rot_mesh_mark_used(const rot_mesh *mesh, unsigned char used[]) {
   return unused;
 }
 
-/* Four independent chains here and below, for instruction parallelism. The top bit of x - 1 or of
- * most - x is set where x is below 1 or above `most`. */
+/* n corners => 1 if one is below 1 or above `max`: then the top bit of x - 1 or of max - x is set.
+ * Four independent chains here and below, for instruction parallelism. */
 static unsigned see_corners(const int at[], size_t n, size_t step, unsigned max) {
   unsigned a = 0, b = 0, c = 0, d = 0;
   size_t i = 0;
@@ -72,9 +72,9 @@ static int corners_ok(const rot_mesh *mesh) {
   return !wrong;
 }
 
-/* Smallest and largest value; `zero` becomes NaN with a value that is not finite. */
 typedef struct spread {
-  double lo, hi, zero;
+  double lo, hi; /* smallest and largest value */
+  double zero;   /* NaN if a value is not finite */
 } spread;
 
 static spread see_value(spread s, double x) {
@@ -85,6 +85,7 @@ static spread see_all(spread a, spread b) {
   return (spread){fmin(a.lo, b.lo), fmax(a.hi, b.hi), a.zero + b.zero};
 }
 
+/* axis => range of the coordinates in use */
 static spread find_spread(const rot_mesh *mesh, size_t axis) {
   const spread none = {HUGE_VAL, -HUGE_VAL, 0.0};
   spread a = none, b = none, c = none, d = none;
@@ -108,7 +109,7 @@ static spread find_spread(const rot_mesh *mesh, size_t axis) {
   return see_all(see_all(a, b), see_all(c, d));
 }
 
-/* 0 where a coordinate is not finite. */
+/* mesh => bounding box; returns 0 if a coordinate is not finite */
 static int find_box(const rot_mesh *mesh, rot_mesh_box *box) {
   double half = 0.0;
   for (size_t k = 0; k < 3; k++) {
@@ -123,9 +124,11 @@ static int find_box(const rot_mesh *mesh, rot_mesh_box *box) {
   return 1;
 }
 
-/* Fifth powers of lengths and their squares must neither overflow nor underflow. */
+/* Exponents of sizes for which fifth powers of lengths and their squares neither over- nor
+ * underflow. */
 enum { TAME = 64 };
 
+/* Copies the coordinates, scaled to near 1, if the box is too large or too small. */
 static rot_status shrink(rot_mesh_tamed *tame) {
   rot_mesh *mesh = &tame->mesh;
   rot_mesh_box *box = &tame->box;
@@ -150,6 +153,7 @@ static rot_status shrink(rot_mesh_tamed *tame) {
   return ROT_OK;
 }
 
+/* Copies the corners with welded vertices replaced. */
 static rot_status resolve(rot_mesh_tamed *tame) {
   rot_mesh *mesh = &tame->mesh;
   if (!mesh->same) return ROT_OK;
@@ -187,6 +191,7 @@ enum { POLL_FACES = 2048 * ROT_MESH_BLOCK };
  * their product), and of the sum over a block and its lanes. */
 enum { ROUNDINGS = 13 + ROT_MESH_STEPS + ROT_MESH_LANES };
 
+/* (mesh, origin `centre`) => sums over all faces */
 static rot_status add_faces(const rot_mesh *mesh, const double centre[3], int shell,
                             const rot_hooks *hooks, double sum[SUMS]) {
   rot_mesh_sums sums;
@@ -214,12 +219,15 @@ static rot_status add_faces(const rot_mesh *mesh, const double centre[3], int sh
   return ROT_OK;
 }
 
-/* ---- from sums to a body -------------------------------------------------------------------- */
+/* ---- sums => body --------------------------------------------------------------------------- */
 
-/* The integrals: centre of mass relative to the origin of the sums, second moment about it. */
 typedef struct integrals {
-  double size, area, centre[3], about[6], trace; /* `about` is divided by the size */
-  double shift;                                  /* |centre|^2 */
+  double size; /* signed volume, or area */
+  double area;
+  double centre[3]; /* of mass, relative to the origin of the sums */
+  double about[6];  /* second moment about the centre, divided by the size */
+  double trace;     /* of `about` */
+  double shift;     /* |centre|^2 */
 } integrals;
 
 static void integrate(const double sum[SUMS], int shell, integrals *to) {
@@ -235,10 +243,10 @@ static void integrate(const double sum[SUMS], int shell, integrals *to) {
   to->shift = outer[0] + outer[1] + outer[2];
 }
 
-/* Bounds of the change of C, relative to its trace, and of the size, relative to itself, when each
- * vertex moves by at most by[k] along axis k. The surface of the solid moves along its normal by at
- * most sum by[k] |n_k|/|n|; C changes by that times the surface's second moment, V by that times
- * the area. */
+/* by => bounds of the change of C, relative to its trace, and of the size, relative to itself, if
+ * each vertex moves by at most by[k] along axis k. The surface moves along its normal by at most
+ * sum by[k] |n_k|/|n|; C changes by that times the surface's second moment, V by that times the
+ * area. */
 static double displace_solid(const double sum[SUMS], const integrals *of, const double by[3],
                              double *of_size) {
   double first = 0.0, second = 0.0;
@@ -251,8 +259,8 @@ static double displace_solid(const double sum[SUMS], const integrals *of, const 
   return root * root / (size * of->trace) + *of_size;
 }
 
-/* |n| changes by at most twice the displacement along one axis times the edges along another, and
- * the corners themselves move. */
+/* The same for a surface: |n| changes by at most twice the displacement along one axis times the
+ * edges along another, and the corners move. */
 static double displace_shell(const double sum[SUMS], const integrals *of, const double by[3],
                              double *of_size) {
   double first = 0.0, second = 0.0, all = 0.0;
@@ -267,7 +275,8 @@ static double displace_shell(const double sum[SUMS], const integrals *of, const 
          2.0 * all / sqrt(of->trace);
 }
 
-/* `most` is the largest coordinate about the point in use. */
+/* => bound of the rounding error of C relative to its trace, and of the size. `max`: largest
+ * coordinate relative to the origin of the sums. */
 static double rounding(const double sum[SUMS], int shell, const integrals *of, double max,
                        double *of_size) {
   const double size = fabs(of->size), u = ROT_EPS * ROUNDINGS, g = sqrt(of->shift);
@@ -298,8 +307,8 @@ static double power_of_two(double x, int exponent, int times) {
   return x;
 }
 
-/* The sums about `origin` and their integrals. Where the centre of mass is far from the origin
- * compared with the radius of gyration, the shift cancels: repeated about the centre of mass. */
+/* origin => sums about it, their integrals. If the centre of mass is farther from the origin than
+ * the radius of gyration, the shift would cancel: repeats with the centre of mass as origin. */
 static rot_status gather(const rot_mesh *mesh, int shell, const rot_hooks *hooks, double origin[3],
                          double sum[SUMS], integrals *of) {
   rot_status status = add_faces(mesh, origin, shell, hooks, sum);
@@ -312,7 +321,7 @@ static rot_status gather(const rot_mesh *mesh, int shell, const rot_hooks *hooks
   return status;
 }
 
-/* Of the scaled mesh, in its units. */
+/* scaled mesh => moments and error bounds, in its units */
 static rot_status judge(const rot_mesh *mesh, const rot_mesh_box *box, int shell,
                         const rot_hooks *hooks, rot_mesh_moments *out) {
   double sum[SUMS], origin[3], own[3], last[3], max = 0.0, moved;
@@ -320,7 +329,7 @@ static rot_status judge(const rot_mesh *mesh, const rot_mesh_box *box, int shell
   memcpy(origin, box->centre, sizeof origin);
   rot_status status = gather(mesh, shell, hooks, origin, sum, &of);
   if (status != ROT_OK) return status;
-  /* Each coordinate relative to the origin has a rounding of its own. */
+  /* Each coordinate relative to the origin is rounded. */
   for (int k = 0; k < 3; k++) {
     const double side = fmax(box->hi[k] - origin[k], origin[k] - box->lo[k]);
     max = fmax(max, side);
@@ -346,6 +355,7 @@ static rot_status judge(const rot_mesh *mesh, const rot_mesh_box *box, int shell
   return ROT_OK;
 }
 
+/* mesh => moments in m */
 static rot_status moments(const rot_mesh *mesh, int shell, const rot_hooks *hooks,
                           rot_mesh_moments *out) {
   rot_mesh_tamed tame;

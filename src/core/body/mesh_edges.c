@@ -5,22 +5,24 @@
 
 /* One use of an edge, in the bucket of its lower vertex. */
 typedef struct use {
-  uint32_t other, face_down; /* 2 face + whether it goes from the higher vertex to the lower one */
+  uint32_t other;     /* higher vertex */
+  uint32_t face_down; /* 2 face, + 1 if the face goes from the higher vertex to the lower one */
 } use;
 
-/* The count of the uses of the edge from the bucket's vertex to this one. */
+/* Uses of the edge from the bucket's vertex to this vertex. */
 typedef struct tally {
-  uint32_t bucket; /* the bucket counted here, from 1 */
-  uint32_t up, down, first;
+  uint32_t bucket;   /* bucket counted here, from 1 */
+  uint32_t up, down; /* uses in each direction */
+  uint32_t first;    /* first face that uses it */
 } tally;
 
 typedef struct work {
   const rot_mesh *mesh;
-  size_t *bucket; /* start of each bucket */
-  use *uses;
-  tally *tallies;
-  uint32_t *parent;     /* union-find: of each face, towards the first face of its component */
-  unsigned char *crowd; /* marks faces on an edge that is used more than twice */
+  size_t *bucket;       /* start of each bucket */
+  use *uses;            /* sorted into buckets */
+  tally *tallies;       /* for each vertex */
+  uint32_t *parent;     /* union-find: parent face, towards the first face of the component */
+  unsigned char *crowd; /* 1: face on an edge that is used more than twice */
 } work;
 
 enum { POLL_STEP = 1 << 16 };
@@ -56,7 +58,8 @@ static rot_status poll_at(const rot_hooks *hooks, size_t i, size_t n) {
   return i % POLL_STEP == 0 ? rot_poll(hooks, (double)i / (double)n) : ROT_OK;
 }
 
-/* bucket[v + 1] is first a count, then the start of v's bucket, and after filling its end. */
+/* Sorts the uses of edges into buckets. bucket[v + 1] is first a count, then the start of v's
+ * bucket, after filling its end. */
 static rot_status fill_buckets(const work *w, const rot_hooks *hooks, rot_mesh_edges *out) {
   const rot_mesh *mesh = w->mesh;
   rot_status status;
@@ -104,6 +107,7 @@ static void judge_edge(const tally *edge, rot_mesh_edges *out) {
   }
 }
 
+/* Counts the edges of one bucket and joins the faces on each. */
 static void count_bucket(const work *w, uint32_t vertex, rot_mesh_edges *out) {
   const use *begin = w->uses + w->bucket[vertex], *end = w->uses + w->bucket[vertex + 1];
   for (const use *u = begin; u < end; u++) {
@@ -121,7 +125,7 @@ static void count_bucket(const work *w, uint32_t vertex, rot_mesh_edges *out) {
     const tally *edge = &w->tallies[u->other];
     const uint32_t face = u->face_down / 2;
     if (edge->up > 2 || edge->down > 2 || edge->up + edge->down > 2) w->crowd[face] = 1;
-    /* Each edge is judged once, by the first face that uses it. */
+    /* Each edge is classified once, for the first face that uses it. */
     if (face == edge->first) judge_edge(edge, out);
   }
 }
@@ -168,7 +172,8 @@ static size_t hash_of(const triple *t) {
   return (size_t)h;
 }
 
-/* How many triples equal one before them. Open addressing: a slot holds a triple, from 1, or 0. */
+/* n triples => number equal to an earlier one, by open addressing: a slot holds a triple, from 1,
+ * or 0 */
 static rot_status count_repeated(size_t n, const triple list[], const rot_hooks *hooks,
                                  size_t *repeated) {
   size_t slots = 16;
@@ -190,9 +195,9 @@ static rot_status count_repeated(size_t n, const triple list[], const rot_hooks 
   return status;
 }
 
-/* Two faces with the same corners share three edges: either a third face is on one of them, or the
- * two are a component of two faces. So few faces need to be compared. `sizes` has an element for
- * each component. */
+/* Two faces with the same corners share three edges. So either a third face is on one of these, or
+ * the two faces are a whole component: only such faces are compared. `sizes`: work space, one
+ * element per component. */
 static rot_status count_duplicates(const work *w, const rot_hooks *hooks,
                                    const uint32_t component[], uint32_t sizes[],
                                    rot_mesh_edges *out) {
@@ -219,7 +224,7 @@ static rot_status count_duplicates(const work *w, const rot_hooks *hooks,
   return status;
 }
 
-/* The tallies are reused: `bucket` marks the vertices that faces use. */
+/* The tallies are reused: `bucket` marks the vertices of faces. */
 static void count_unused(const work *w, rot_mesh_edges *out) {
   const rot_mesh *mesh = w->mesh;
   for (size_t i = 0; i < mesh->vertices; i++) w->tallies[i].bucket = 0;
@@ -243,7 +248,7 @@ static rot_status check(const work *w, const rot_hooks *hooks, uint32_t componen
   }
   number_components(w, component, out);
   count_unused(w, out);
-  /* The parents are reused: there are no more components than faces. */
+  /* The parents are reused: components are at most as many as faces. */
   return count_duplicates(w, hooks, component, w->parent, out);
 }
 

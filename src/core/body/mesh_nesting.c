@@ -7,10 +7,14 @@
 #include "body/mesh_edges.h"
 #include "ground/real.h"
 
+/* A connected component. */
 typedef struct part {
-  double lo[3], hi[3], volume, gross;
-  size_t begin, end; /* its faces, in work.face */
-  int flat, crosses;
+  double lo[3], hi[3]; /* bounding box */
+  double volume;       /* signed */
+  double gross;        /* sum of the absolute terms of the volume */
+  size_t begin, end;   /* faces, in work.face */
+  int flat;            /* 1: volume zero within rounding */
+  int crosses;         /* 1: intersects another component */
 } part;
 
 typedef struct work {
@@ -21,13 +25,13 @@ typedef struct work {
   uint32_t *face;    /* ordered by component */
   uint32_t *meeting; /* faces of one component that overlap another's box */
   const rot_hooks *hooks;
-  rot_status *stopped; /* what a poll in the midst of the work returned */
+  rot_status *stopped; /* status of the last poll */
 } work;
 
-/* Points tried for each component; the first few are outside the work budget. */
+/* Points tried for each component; the work budget does not limit the first ones. */
 enum { POINTS = 64, FIRST_POINTS = 8 };
 
-/* Work budget in box tests (a face costs 16), some seconds: in total, and for each component. */
+/* Work budget in box tests (a face costs 16), some seconds: in total and per component. */
 static const double max_looks = 4e8, max_looks_each = 2e7;
 
 static void corner_at(const work *w, size_t face, size_t k, double at[3]) {
@@ -43,7 +47,7 @@ static void centroid_of(double at[3][3], double p[3]) {
   for (int j = 0; j < 3; j++) p[j] = (at[0][j] + at[1][j] + at[2][j]) / 3.0;
 }
 
-/* a x b; returns the sum of the absolute values of its terms. */
+/* (a, b) => a x b, sum of the absolute values of its terms */
 static double cross(const double a[3], const double b[3], double out[3]) {
   double gross = 0.0;
   for (int k = 0; k < 3; k++) {
@@ -54,7 +58,7 @@ static double cross(const double a[3], const double b[3], double out[3]) {
   return gross;
 }
 
-/* n = (b - a) x (c - a), returns as cross(). */
+/* (a, b, c) => n = (b - a) x (c - a), sum of the absolute values of its terms */
 static double normal_of(const double a[3], const double b[3], const double c[3], double n[3]) {
   double u[3], v[3];
   for (int j = 0; j < 3; j++) {
@@ -66,7 +70,7 @@ static double normal_of(const double a[3], const double b[3], const double c[3],
 
 enum { POLL_STEP = 1 << 15 };
 
-/* Whether the work is to end; asked with each step of a long loop. */
+/* 1 if the work must stop; called in each step of a long loop. */
 static int ends_at(const work *w, size_t step) {
   if (*w->stopped == ROT_OK && step % POLL_STEP == 0) *w->stopped = rot_poll(w->hooks, 0.0);
   return *w->stopped != ROT_OK;
@@ -74,10 +78,11 @@ static int ends_at(const work *w, size_t step) {
 
 /* ---- volumes and boxes ---------------------------------------------------------------------- */
 
+/* Adds a face to the box and the volume of its component. */
 static void add_to_part(const work *w, size_t face, rot_mesh_nesting *out) {
   part *to = &w->parts[w->component[face]];
   double corner[3][3], origin[3], at[3], n[3];
-  /* Relative to a corner of its own: a small component far from the others keeps its digits. */
+  /* Relative to a corner of the component: accurate for small components far from the origin. */
   corner_at(w, w->face[to->begin], 0, origin);
   corners_at(w, face, corner);
   for (int j = 0; j < 3; j++) {
@@ -93,6 +98,7 @@ static void add_to_part(const work *w, size_t face, rot_mesh_nesting *out) {
   to->gross += (fabs(at[0]) + fabs(at[1]) + fabs(at[2])) * gross / 6.0;
 }
 
+/* Orders the faces by component; sets all members of the parts but `crosses`. */
 static void gather_parts(const work *w, rot_mesh_nesting *out) {
   const size_t faces = w->mesh->faces;
   for (size_t i = 0; i < w->components; i++) {
@@ -125,11 +131,11 @@ static void gather_parts(const work *w, rot_mesh_nesting *out) {
 
 /* ---- winding numbers ------------------------------------------------------------------------ */
 
-/* A point nearer than this, relative to the face, is on it: single precision resolves 6e-8 of the
- * coordinates. */
+/* Distance relative to the size of a face at which a point counts as on it: single precision
+ * resolves 6e-8 of the coordinates. */
 static const double touching = 1e-6;
 
-/* Half of the solid angle of a face; HUGE_VAL for a point on it. */
+/* (face, point p) => half the solid angle of the face; HUGE_VAL for a point on it */
 static double half_angle(const work *w, size_t face, const double p[3]) {
   double r[3][3], length[3], n[3];
   corners_at(w, face, r);
@@ -146,11 +152,11 @@ static double half_angle(const work *w, size_t face, const double p[3]) {
     const double *a = r[k], *b = r[(k + 1) % 3];
     down += (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]) * length[(k + 2) % 3];
   }
-  /* down is negative over the face, and 0 over its edges and corners. */
+  /* For a point in the plane: down < 0 inside the face, 0 on its edges and corners. */
   return down <= min && fabs(up) <= min ? HUGE_VAL : atan2(up, down);
 }
 
-/* With slack: the centroid of a face that touches the box is rounded. */
+/* 1 if p is in the box, with a tolerance for the rounding of centroids. */
 static int in_box(const part *of, const double p[3]) {
   for (int k = 0; k < 3; k++) {
     const double slack = 8.0 * ROT_EPS * (fabs(of->lo[k]) + fabs(of->hi[k]));
@@ -159,7 +165,7 @@ static int in_box(const part *of, const double p[3]) {
   return 1;
 }
 
-/* Winding number of a component at p; HUGE_VAL where p is on it. */
+/* p => winding number of a component; HUGE_VAL if p is on it */
 static double count_turns(const work *w, const part *of, const double p[3], double *looks) {
   const double pi = 3.14159265358979323846;
   double angle = 0.0;
@@ -171,7 +177,7 @@ static double count_turns(const work *w, const part *of, const double p[3], doub
   return fabs(turns - whole) < 1e-6 ? whole : HUGE_VAL;
 }
 
-/* Winding number of the other components at p; HUGE_VAL where p is on one of them. */
+/* p => winding number of the other components; HUGE_VAL if p is on one of them */
 static double count_around(const work *w, size_t self, const double p[3], double *looks) {
   double around = 0.0;
   for (size_t j = 0; j < w->components; j++) {
@@ -182,7 +188,7 @@ static double count_around(const work *w, size_t self, const double p[3], double
   return around;
 }
 
-/* The centroid of a face, moved inwards by a thousandth of its size. */
+/* face => its centroid, moved inwards by a thousandth of its size */
 static void step_inside(const work *w, const part *of, size_t face, double p[3]) {
   double corner[3][3], n[3];
   corners_at(w, face, corner);
@@ -194,7 +200,8 @@ static void step_inside(const work *w, const part *of, size_t face, double p[3])
   for (int j = 0; j < 3; j++) p[j] += step * n[j];
 }
 
-/* For a component all of whose faces touch others (a duplicate, for example): interior points. */
+/* Winding number from interior points, for a component whose faces all touch others, such as a
+ * duplicate. */
 static void place_from_inside(const work *w, size_t self, double *looks, double *around) {
   const part *of = &w->parts[self];
   for (size_t i = of->begin; i < of->end && i < of->begin + FIRST_POINTS; i++) {
@@ -208,8 +215,8 @@ static void place_from_inside(const work *w, size_t self, double *looks, double 
   }
 }
 
-/* Centroids of some faces, spread over the list of faces by the golden section. Returns 0 where
- * they differ: the component intersects another. */
+/* component `self` => winding number of the others around it, from centroids of faces chosen by the
+ * golden section. Returns 0 if they differ: the component intersects another. */
 static int place_component(const work *w, size_t self, double *looks, double *around) {
   const part *of = &w->parts[self];
   const size_t n = of->end - of->begin;
@@ -233,11 +240,12 @@ static int place_component(const work *w, size_t self, double *looks, double *ar
   return 1;
 }
 
-/* ---- components that intersect -------------------------------------------------------------- */
+/* ---- intersecting components ---------------------------------------------------------------- */
 
-/* A face: its corners, its centroid, and its box. */
+/* A face. */
 typedef struct sheet {
-  double at[4][3], lo[3], hi[3];
+  double at[4][3];     /* corners, centroid */
+  double lo[3], hi[3]; /* bounding box */
 } sheet;
 
 static void see_sheet(const work *w, size_t face, sheet *to) {
@@ -258,8 +266,8 @@ static int boxes_meet(const double alo[3], const double ahi[3], const double blo
   return 1;
 }
 
-/* The side of the plane through a, b, c on which d lies: 0 where six times the volume is at most
- * `least`, the limit for contact. */
+/* => side of the plane through a, b, c on which d lies: 1, -1, or 0 for contact, where six times
+ * the volume is at most `min` */
 static int side_of(const double a[3], const double b[3], const double c[3], const double d[3],
                    double min) {
   double n[3], volume = 0.0;
@@ -272,8 +280,8 @@ static double length_of(const double a[3], const double b[3]) {
   return fabs(a[0] - b[0]) + fabs(a[1] - b[1]) + fabs(a[2] - b[2]);
 }
 
-/* Whether the segment from p to q passes through the interior of a face. Heights over the face, and
- * distances of two lines, are compared with the longest of the lengths. */
+/* 1 if the segment from p to q passes through the interior of a face. Heights over the face and
+ * distances of lines are relative to the longest length. */
 static int pierces(const double p[3], const double q[3], const sheet *s) {
   const double *a = s->at[0], *b = s->at[1], *c = s->at[2];
   const double line = length_of(p, q), ab = length_of(a, b), bc = length_of(b, c),
@@ -285,7 +293,7 @@ static int pierces(const double p[3], const double q[3], const sheet *s) {
          side_of(p, q, c, a, min_line * ca) == turn;
 }
 
-/* Tests the edges of both faces, and the segments from their centroids to their corners: in
+/* 1 if two faces intersect. Tests their edges and the segments from centroids to corners: in
  * congruent or aligned bodies edges meet edges, and only those segments pass through. */
 static int sheets_cross(const sheet *a, const sheet *b) {
   if (!boxes_meet(a->lo, a->hi, b->lo, b->hi)) return 0;
@@ -308,6 +316,7 @@ static size_t gather_meeting(const work *w, const part *of, const part *other, s
   return n;
 }
 
+/* 1 if a face of one component intersects one of the other; 0 also beyond the work budget. */
 static int parts_cross(const work *w, const part *a, const part *b, double *looks) {
   sheet one, other;
   const size_t n = gather_meeting(w, b, a, &other);
@@ -328,6 +337,7 @@ static int parts_cross(const work *w, const part *a, const part *b, double *look
   return 0;
 }
 
+/* Marks all components that intersect others. */
 static rot_status find_crossings(const work *w) {
   double looks = 0.0;
   for (size_t i = 1; i < w->components && looks <= max_looks; i++) {
@@ -347,6 +357,7 @@ static rot_status find_crossings(const work *w) {
 
 /* ---- nesting -------------------------------------------------------------------------------- */
 
+/* Classifies each component by volume and winding number of the others. */
 static rot_status judge_parts(const work *w, rot_mesh_nesting *out) {
   double total = 0.0, looks = 0.0;
   for (size_t i = 0; i < w->components; i++) total += w->parts[i].volume;

@@ -1,9 +1,9 @@
-/* The kernel of body/mesh.c: the sums over faces. Compiled for registers of two doubles there, of
- * four in body/mesh_sum.c.
+/* Kernel of body/mesh.c: sums over faces. Compiled there for registers of two doubles, in
+ * body/mesh_sum.c for registers of four.
  *
- * Face i belongs to lane i mod 4 for either width, and each lane is summed separately, so the width
- * changes no bit. Terms are added in blocks; the sums of blocks are compensated, so the error does
- * not grow with the number of faces. */
+ * Face i belongs to lane i mod 4 for either width, and each lane is summed separately, so results
+ * do not depend on the width. Terms are added in blocks; the sums of blocks are compensated, so the
+ * error does not grow with the number of faces. */
 #ifndef ROT_MESH_SUM_H
 #define ROT_MESH_SUM_H
 
@@ -14,29 +14,30 @@ enum { ROT_MESH_LANES = 4, ROT_MESH_STEPS = 8, ROT_MESH_BLOCK = ROT_MESH_LANES *
 
 /* The sums; n, s, q as in body/mesh.h, w is d (solid) or |n| (surface). */
 enum {
-  SIZE,               /* w */
-  FIRST,              /* w s */
-  SECOND = FIRST + 3, /* w q: xx, yy, zz, xy, xz, yz */
-  AREA = SECOND + 6,  /* |n|; only of the solid */
-  NORMAL,             /* n */
-  EXACT = NORMAL + 3, /* the sums before this are compensated */
-  GROSS_SIZE = EXACT, /* w, and w tr q, of the absolute values of their terms */
-  GROSS_SECOND,
-  FLUX,                   /* solid: |n|, surface: edge lengths; for each axis */
+  SIZE,                   /* w */
+  FIRST,                  /* w s */
+  SECOND = FIRST + 3,     /* w q: xx, yy, zz, xy, xz, yz */
+  AREA = SECOND + 6,      /* |n|; only of the solid */
+  NORMAL,                 /* n */
+  EXACT = NORMAL + 3,     /* the sums before this are compensated */
+  GROSS_SIZE = EXACT,     /* w from absolute values of its terms */
+  GROSS_SECOND,           /* w tr q from absolute values */
+  FLUX,                   /* for each axis: |n| of the solid, edge lengths of the surface */
   FLUX_SECOND = FLUX + 3, /* the same times the squared distance */
   SUMS = FLUX_SECOND + 3
 };
 
 typedef struct rot_mesh_sums {
   const double *centre; /* origin of a, b, c */
-  double total[SUMS][ROT_MESH_LANES], lost[EXACT][ROT_MESH_LANES];
+  double total[SUMS][ROT_MESH_LANES];
+  double lost[EXACT][ROT_MESH_LANES]; /* rounding errors of `total` */
 } rot_mesh_sums;
 
 typedef struct mesh_corners {
   rot_pair a[3], b[3], c[3];
 } mesh_corners;
 
-/* A pair of f(lane), without a store and a load. */
+/* A register of f(lane), without store and load. */
 #ifdef ROT_SIMD
 #define ROT_EACH(f) ((rot_pair){f(0), f(1), f(2), f(3)})
 #elif defined(__GNUC__)
@@ -45,8 +46,7 @@ typedef struct mesh_corners {
 #define ROT_EACH(f) (f(0))
 #endif
 
-/* A copy of the addresses, so that the compiler need not assume that the sums alias them. Welded
- * corners are resolved already. */
+/* Addresses of the mesh, with resolved corners; a copy, which the sums cannot alias. */
 typedef struct mesh_source {
   const double *x, *y, *z;
   const int *corner[3];
@@ -54,6 +54,7 @@ typedef struct mesh_source {
   rot_pair centre[3];
 } mesh_source;
 
+/* => addresses of the mesh, origin `centre` */
 ROT_INLINE mesh_source open_source(const rot_mesh *mesh, const double centre[3]) {
   const double *x = mesh->xyz;
   const int *c = mesh->corner;
@@ -67,7 +68,7 @@ ROT_INLINE mesh_source open_source(const rot_mesh *mesh, const double centre[3])
   return source;
 }
 
-/* Corner k of ROT_PAIR faces; faces past `end` become a point, which adds nothing. */
+/* => corner k of ROT_PAIR faces; faces from `end` on become a point, which adds 0 */
 ROT_INLINE void load_corner(const mesh_source *from, size_t face, size_t end, int k, int whole,
                             rot_pair to[3]) {
   size_t at[ROT_PAIR];
@@ -94,7 +95,7 @@ ROT_INLINE void load_corner(const mesh_source *from, size_t face, size_t end, in
   to[2] *= in;
 }
 
-/* Quantities of a face that both kinds need. */
+/* Quantities of a face for solids and surfaces. */
 typedef struct mesh_face {
   rot_pair n[3];     /* twice the area, along the normal */
   rot_pair m[3];     /* the same from absolute values */
@@ -105,6 +106,7 @@ typedef struct mesh_face {
   rot_pair square;   /* n . n */
 } mesh_face;
 
+/* corners => quantities of the faces */
 ROT_INLINE void see_face(const mesh_corners *v, mesh_face *f) {
   const rot_pair ux = v->b[0] - v->a[0], uy = v->b[1] - v->a[1], uz = v->b[2] - v->a[2];
   const rot_pair wx = v->c[0] - v->a[0], wy = v->c[1] - v->a[1], wz = v->c[2] - v->a[2];
@@ -115,8 +117,8 @@ ROT_INLINE void see_face(const mesh_corners *v, mesh_face *f) {
   f->m[0] = rot_pair_abs(yz) + rot_pair_abs(zy);
   f->m[1] = rot_pair_abs(zx) + rot_pair_abs(xz);
   f->m[2] = rot_pair_abs(xy) + rot_pair_abs(yx);
-  /* s s' + a a' + b b' + c c' is also the sum over the sums of two corners: three products instead
-   * of four, without the square of a sum that cancels. */
+  /* s s' + a a' + b b' + c c' = sum of p p' over the sums p of two corners: three products instead
+   * of four, and no square of a sum that cancels. */
   const rot_pair px = v->a[0] + v->b[0], py = v->a[1] + v->b[1], pz = v->a[2] + v->b[2];
   const rot_pair qx = v->b[0] + v->c[0], qy = v->b[1] + v->c[1], qz = v->b[2] + v->c[2];
   const rot_pair rx = v->c[0] + v->a[0], ry = v->c[1] + v->a[1], rz = v->c[2] + v->a[2];
@@ -136,6 +138,7 @@ ROT_INLINE void see_face(const mesh_corners *v, mesh_face *f) {
   f->square = f->n[0] * f->n[0] + f->n[1] * f->n[1] + f->n[2] * f->n[2];
 }
 
+/* Adds faces of weight w to the compensated sums. */
 ROT_INLINE void add_weighted(rot_pair sum[], const mesh_face *f, rot_pair w) {
   sum[SIZE] += w;
   sum[FIRST] += w * f->s[0];
@@ -152,6 +155,7 @@ ROT_INLINE void add_weighted(rot_pair sum[], const mesh_face *f, rot_pair w) {
   sum[NORMAL + 2] += f->n[2];
 }
 
+/* Adds x, y, z and w times x, y, z to the sums for displacements. */
 ROT_INLINE void add_flux(rot_pair sum[], rot_pair x, rot_pair y, rot_pair z, rot_pair w) {
   sum[FLUX] += x;
   sum[FLUX + 1] += y;
@@ -161,7 +165,7 @@ ROT_INLINE void add_flux(rot_pair sum[], rot_pair x, rot_pair y, rot_pair z, rot
   sum[FLUX_SECOND + 2] += z * w;
 }
 
-/* Returns |n|^2: the root is taken after the block. */
+/* Adds faces of a solid; returns |n|^2, whose root is taken after the block. */
 ROT_INLINE rot_pair add_solid(rot_pair sum[], const mesh_corners *v) {
   mesh_face f;
   see_face(v, &f);
@@ -175,6 +179,7 @@ ROT_INLINE rot_pair add_solid(rot_pair sum[], const mesh_corners *v) {
   return f.square;
 }
 
+/* Adds faces of a surface. */
 ROT_INLINE void add_shell(rot_pair sum[], const mesh_corners *v) {
   mesh_face f;
   see_face(v, &f);
@@ -185,7 +190,7 @@ ROT_INLINE void add_shell(rot_pair sum[], const mesh_corners *v) {
   add_flux(sum, f.edges[0], f.edges[1], f.edges[2], f.trace);
 }
 
-/* One group of lanes of a block. */
+/* Adds the lanes group .. group + ROT_PAIR - 1 of a block. */
 ROT_INLINE void add_group(const mesh_source *source, rot_mesh_sums *sums, size_t from, size_t end,
                           size_t group, int shell, int whole) {
   rot_pair sum[SUMS], square[ROT_MESH_STEPS];
@@ -216,7 +221,7 @@ ROT_INLINE void add_group(const mesh_source *source, rot_mesh_sums *sums, size_t
   }
 }
 
-/* Faces from .. end - 1; `from` is a multiple of ROT_MESH_BLOCK. */
+/* Adds faces from .. end - 1; `from` is a multiple of ROT_MESH_BLOCK. */
 ROT_INLINE void sum_kind(const rot_mesh *mesh, rot_mesh_sums *sums, size_t from, size_t end,
                          int shell) {
   const mesh_source source = open_source(mesh, sums->centre);
@@ -230,7 +235,7 @@ ROT_INLINE void sum_kind(const rot_mesh *mesh, rot_mesh_sums *sums, size_t from,
   }
 }
 
-/* A copy of the kernel for each kind. */
+/* The same, compiled separately for solids and surfaces. */
 ROT_INLINE void sum_faces(const rot_mesh *mesh, rot_mesh_sums *sums, size_t from, size_t end,
                           int shell) {
   if (shell) {

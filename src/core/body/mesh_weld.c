@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Open addressing: a slot holds a vertex (from 1) or 0. At most half of the slots are used. */
+/* Hash table with open addressing: a slot holds a vertex (from 1) or 0; at most half are used. */
 typedef struct table {
   uint32_t *slot;
   size_t mask;
@@ -55,6 +55,7 @@ static int within(const double a[3], const double b[3], double tolerance) {
 
 enum { POLL_STEP = 1 << 16 };
 
+/* Merges vertices with equal coordinates. */
 static rot_status weld_exactly(const rot_mesh *mesh, table *t, const rot_hooks *hooks,
                                uint32_t same[], size_t *merged) {
   for (size_t i = 0; i < mesh->vertices; i++) {
@@ -76,9 +77,9 @@ static rot_status weld_exactly(const rot_mesh *mesh, table *t, const rot_hooks *
   return ROT_OK;
 }
 
-/* Cubes of twice the tolerance: every vertex within the tolerance is in one of the cubes of the
- * eight points at -+ tolerance. A cube may hold several kept vertices, so the whole run of slots is
- * searched. */
+/* Merges vertices within the tolerance, by cubes of twice the tolerance: each vertex within the
+ * tolerance is in a cube of one of the eight points at -+ tolerance. A cube may contain several
+ * kept vertices, so the search continues to an empty slot. */
 static rot_status weld_nearly(const rot_mesh *mesh, double tolerance, table *t,
                               const rot_hooks *hooks, uint32_t same[], size_t *merged) {
   for (size_t i = 0; i < mesh->vertices; i++) {

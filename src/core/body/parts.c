@@ -109,20 +109,21 @@ static rot_status refuse_size(const rot_shape *shape, rot_shape_fault fault, int
   }
 }
 
-/* The radius on which it rolls about its z axis: its own, where the moments say the same. */
+/* => rolling radius about z: a radius of the shape if it agrees with the moments */
 static double rolling_radius(const rot_shape *shape, const rot_shape_body *of, const double size[],
                              double inertia) {
   if (!(of->beta > 0.0)) return NAN;
   const double from_beta = sqrt(inertia / of->mass_kg / of->beta);
   for (int k = 0; k < shape->sizes; k++) {
     const int radius = shape->size[k] == ROT_RADIUS || shape->size[k] == ROT_OUTER_RADIUS;
-    /* Without mass, as of an ideal pulley, only its own size says. */
+    /* Without mass (an ideal pulley) there are no moments to compare with. */
     const int agrees = of->mass_kg == 0.0 || fabs(size[k] - from_beta) <= 1e-9 * from_beta;
     if (radius && agrees) return size[k];
   }
   return from_beta;
 }
 
+/* (mass or density, sizes) => body of the catalogue */
 static rot_status build_shape(const rot_part *part, const rot_given given[], rot_store *store,
                               void *to, rot_refusal *no) {
   const rot_shape *shape = rot_shape_at((size_t)(part - rot_body_parts));
@@ -151,7 +152,7 @@ static rot_status build_shape(const rot_part *part, const rot_given given[], rot
     return rot_refuse(no, by_density ? density : 0,
                       "gives a mass or moments beyond double precision, or none");
   }
-  /* The end of a rod, the axis of a point: the origin. */
+  /* The axle of a rod end and of a point is at the origin. */
   const int named = !strcmp(shape->name, "point") || !strcmp(shape->name, "rod_end");
   if (!named) memcpy(body->axle_m, of.centre_m, sizeof of.centre_m);
   body->radius_m = rolling_radius(shape, &of, size, body->inertia_kg_m2[ROT_ZZ]);
@@ -171,7 +172,7 @@ static const rot_input tensor_inputs[] = {
     ROT_NUMBER_INPUT("reach_m", "m", 0, 0.0, 0, NAN, "of its outline: no number depends on it"),
     {"name", "", ROT_INPUT_TEXT, 0, ROT_NO_DOMAIN, NAN, "in words", NULL}};
 
-/* To xx, yy, zz, xy, xz, yz; 0: another count, or not symmetric. */
+/* 3 or 6 numbers, or 3 rows => xx, yy, zz, xy, xz, yz; returns 0 for another count or asymmetry */
 static int read_tensor(const rot_given *given, double t[ROT_TENSOR]) {
   double m[9];
   const double *x = given->x;
@@ -199,6 +200,7 @@ static int read_tensor(const rot_given *given, double t[ROT_TENSOR]) {
   return 1;
 }
 
+/* (mass, inertia tensor, centre) => body */
 static rot_status build_tensor(const rot_part *part, const rot_given given[], rot_store *store,
                                void *to, rot_refusal *no) {
   rot_given_body *body = to;

@@ -5,8 +5,8 @@
 #include "body/inertia.h"
 #include "ground/real.h"
 
-/* Masses of one band are within 2^300 of each other, so that products that underflow are negligible
- * beside the farthest point of the band. Usually there is one band. */
+/* Masses of one band differ by a factor of at most 2^300, so that terms that underflow are
+ * negligible compared with the farthest point of the band. Usually there is one band. */
 #define BAND_BITS    300
 /* Limit of the exponents, so that the powers of two are doubles. */
 #define MAX_EXPONENT 1000
@@ -29,10 +29,10 @@ size_t rot_points_bad(const rot_points *points, int *column) {
 /* ---- one band ------------------------------------------------------------------------------- */
 
 typedef struct band {
-  double above, upto;         /* masses in (above, upto] */
-  int mass_bits, length_bits; /* sums are of m 2^-mass_bits and x 2^-length_bits */
-  double ref[3];              /* their origin, unscaled */
-  double count;
+  double above, upto;                        /* masses in (above, upto] */
+  int mass_bits, length_bits;                /* sums are of m 2^-mass_bits and x 2^-length_bits */
+  double ref[3];                             /* origin of the sums, unscaled */
+  double count;                              /* points */
   double mass[2], first[3][2], second[6][2]; /* sums and their low parts */
 } band;
 
@@ -45,7 +45,7 @@ static int exponent_of(double x) {
 
 static int in_band(const band *b, double m) { return m > b->above && m <= b->upto; }
 
-/* The centre of the bounding box of the band, and its size. */
+/* band => count, origin at the centre of its bounding box, scale of lengths */
 static rot_status find_box(const rot_points *points, band *b) {
   double low[3], high[3], size = 0.0;
   b->count = 0.0;
@@ -87,7 +87,7 @@ static void close_sum(double sum[2]) {
   sum[0] = hi;
 }
 
-/* All sums about b->ref. */
+/* band => sums about b->ref */
 static rot_status add_up(const rot_points *points, const rot_hooks *hooks, band *b) {
   const double to_length = ldexp(1.0, -b->length_bits), to_mass = ldexp(1.0, -b->mass_bits);
   clear_sums(b);
@@ -118,8 +118,8 @@ static rot_status add_up(const rot_points *points, const rot_hooks *hooks, band 
 
 static double trace_of(const double c[6]) { return c[0] + c[1] + c[2]; }
 
-/* Moves the origin of the sums to a double next to their centre, unless the remaining offset counts
- * for less than a sixteenth of the trace. */
+/* Moves the origin of the sums to a double next to their centre, unless the offset contributes less
+ * than a sixteenth of the trace. Returns 1 if it moved. */
 static int step_to_centre(band *b) {
   const double trace = b->second[0][0] + b->second[1][0] + b->second[2][0];
   double h[3], left = 0.0;
@@ -137,8 +137,8 @@ static int step_to_centre(band *b) {
   return moved;
 }
 
-/* Usually once; more often where most of the mass is in a region smaller than the rounding of the
- * box: each pass resolves a region 1e-16 of the size. */
+/* Repeats the sums until the origin is next to the centre: usually once, more often if most of the
+ * mass is in a region below the rounding of the box. Each pass resolves 1e-16 of the size. */
 static rot_status settle(const rot_points *points, const rot_hooks *hooks, band *b) {
   for (int turn = 0;; turn++) {
     const rot_status status = add_up(points, hooks, b);
@@ -147,6 +147,7 @@ static rot_status settle(const rot_points *points, const rot_hooks *hooks, band 
   }
 }
 
+/* sums of a band => moments and error bounds */
 static void finish(const band *b, int mass_exponent, rot_moments *out) {
   const double m = b->mass[0];
   const double sums = ROT_EPS + 2.0 * (b->count * ROT_EPS) * (b->count * ROT_EPS);
@@ -167,7 +168,7 @@ static void finish(const band *b, int mass_exponent, rot_moments *out) {
   out->mass_error = sums;
   const double trace = trace_of(c), kept = trace_of(out->c);
   out->vanished = out->mass < DBL_MIN || (trace > 0.0 && kept < DBL_MIN);
-  /* A term m d d has four roundings, a term m d two; |sum m d| <= sqrt(M A). */
+  /* Roundings: four of a term m d d, two of a term m d; |sum m d| <= sqrt(M A). */
   const double first_error = (2.0 * ROT_EPS + sums) * sqrt(m * a_max);
   const double off = (4.0 * ROT_EPS + sums) * a_max + 2.0 * h_max * first_error +
                      4.0 * ROT_EPS * m * h_max * h_max + ROT_EPS * a_max;
@@ -179,7 +180,7 @@ static void finish(const band *b, int mass_exponent, rot_moments *out) {
 
 /* ---- all bands ------------------------------------------------------------------------------ */
 
-/* Points without mass: their unweighted mean. */
+/* Massless points => zero moments, centre at the unweighted mean */
 static rot_status mean_of(const rot_points *points, const rot_hooks *hooks, rot_moments *out) {
   static const double one = 1.0;
   rot_points equal = *points;
@@ -226,7 +227,7 @@ void rot_moments_join(const rot_moments *a, const rot_moments *b, rot_moments *o
     out->vanished = vanished;
     return;
   }
-  const rot_moments p = *a, q = *b; /* out may be one of them */
+  const rot_moments p = *a, q = *b; /* copies: out may be a or b */
   const double fraction = 1.0 / (1.0 + p.mass / q.mass);
   const double less = fmin(p.mass, q.mass), reduced = less / (1.0 + less / fmax(p.mass, q.mass));
   double d[3], d_max = 0.0;
@@ -254,9 +255,9 @@ void rot_moments_join(const rot_moments *a, const rot_moments *b, rot_moments *o
     out->error = 0.0;
     return;
   }
-  const double difference[3] = {reduced, d_max, d_max}, slipped[3] = {reduced, 2.0 * d_max, slip};
+  const double separation[3] = {reduced, d_max, d_max}, slipped[3] = {reduced, 2.0 * d_max, slip};
   out->error = p.error * (trace_of(p.c) / trace) + q.error * (trace_of(q.c) / trace) +
-               (12.0 * ROT_EPS + p.mass_error + q.mass_error) * rot_product(3, difference, trace) +
+               (12.0 * ROT_EPS + p.mass_error + q.mass_error) * rot_product(3, separation, trace) +
                rot_product(3, slipped, trace) + 2.0 * ROT_EPS;
 }
 

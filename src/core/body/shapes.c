@@ -26,13 +26,13 @@ rot_shape_fault rot_shape_check(const rot_shape *shape, const double size[], int
   return ROT_SHAPE_FITS;
 }
 
-/* Exponent of the ratio of sizes above which each needs a scale of its own. */
-#define SIMD 400
+/* Exponent of the ratio of sizes above which each size needs a separate scale. */
+#define RANGE_BITS 400
 
-/* Scales the sizes to near 1 and returns the exponent. Between 2^-60 and 2^60 no form of
- * body/shapes_geometry.c leaves the range: no scaling. */
+/* size => sizes scaled to near 1, their exponent; *separate: 1 if one scale is not enough. Sizes
+ * between 2^-60 and 2^60 are not scaled: no form of body/shapes_geometry.c over- or underflows. */
 static int scale_sizes(const rot_shape *shape, const double size[], double scaled[ROT_SIZES],
-                       int *simd) {
+                       int *separate) {
   double big = 0.0, small = 1.0;
   for (int k = 0; k < shape->sizes; k++) {
     const double a = fabs(size[k]);
@@ -42,18 +42,18 @@ static int scale_sizes(const rot_shape *shape, const double size[], double scale
     if (a > 0.0 && a < small) small = a;
   }
   int e = 0, min = 0;
-  *simd = 0;
+  *separate = 0;
   if ((big <= 0x1p60 && small >= 0x1p-60) || !(big > 0.0) || isinf(big)) return 0;
   (void)frexp(big, &e);
   (void)frexp(small, &min);
-  *simd = e - min > SIMD;
+  *separate = e - min > RANGE_BITS;
   for (int k = 0; k < shape->sizes; k++) {
     if (rot_size_at((int)shape->size[k])->kind != ROT_KIND_COUNT) scaled[k] = ldexp(size[k], -e);
   }
   return e;
 }
 
-/* a b 2^e with one rounding, for factors of any size. */
+/* => a b 2^e with one rounding, for factors of any size */
 static double times(double a, double b, int e) {
   const double p = a * b, size = fabs(p);
   if (e == 0 && size > 0x1p-900 && size < 0x1p900) return p;
@@ -62,17 +62,17 @@ static double times(double a, double b, int e) {
   return ldexp(f, ea + eb + e);
 }
 
-/* ---- a geometry of any sizes ---------------------------------------------------------------- */
+/* ---- geometry of any sizes ------------------------------------------------------------------ */
 
-/* Second moments in units of 4^of[k]; the rest in units of 2^e. */
 typedef struct scaled_geometry {
   rot_geometry is;
-  int e, of[3];
+  int e;     /* lengths are in units of 2^e */
+  int of[3]; /* second moments are in units of 4^of[k] */
 } scaled_geometry;
 
-/* Where the ratio of sizes is 2^400 or more, the squares of the small ones may underflow beside the
- * large ones. So each size sets the scale once, with larger sizes clamped to 2^400 of it: clamping
- * and underflow only reduce a moment, so the largest value is right. */
+/* Second moments for ratios of sizes above 2^400, where squares of the small sizes may underflow.
+ * Each size sets the scale once, with larger sizes clamped to 2^400 of it. Clamping and underflow
+ * only reduce a moment, so the largest value is correct. */
 static void widen(const rot_shape *shape, const double size[], scaled_geometry *g) {
   for (int j = 0; j < shape->sizes; j++) {
     double scaled[ROT_SIZES] = {0.0};
@@ -81,14 +81,14 @@ static void widen(const rot_shape *shape, const double size[], scaled_geometry *
     (void)frexp(size[j], &e);
     if (rot_size_at((int)shape->size[j])->kind == ROT_KIND_COUNT || !(fabs(size[j]) > 0.0))
       continue;
-    if (g->e - e <= SIMD) continue;
+    if (g->e - e <= RANGE_BITS) continue;
     for (int k = 0; k < shape->sizes; k++) {
       const int counts = rot_size_at((int)shape->size[k])->kind == ROT_KIND_COUNT;
       scaled[k] = counts ? size[k] : fmax(fmin(ldexp(size[k], -e), 0x1p400), -0x1p400);
     }
     shape->geometry(scaled, &other);
     for (int k = 0; k < 3; k++) {
-      /* In the new unit; Inf where the old unit is much larger. */
+      /* Converted to the new unit; Inf if the old unit is much larger. */
       const double was = ldexp(g->is.second[k], 2 * (g->of[k] - e));
       if (!(other.second[k] > was)) continue;
       g->is.second[k] = other.second[k];
@@ -99,18 +99,18 @@ static void widen(const rot_shape *shape, const double size[], scaled_geometry *
 
 static void geometry_of(const rot_shape *shape, const double size[], scaled_geometry *g) {
   double scaled[ROT_SIZES] = {0.0};
-  int simd;
-  g->e = scale_sizes(shape, size, scaled, &simd);
+  int separate;
+  g->e = scale_sizes(shape, size, scaled, &separate);
   shape->geometry(scaled, &g->is);
   for (int k = 0; k < 3; k++) g->of[k] = g->e;
-  if (simd) widen(shape, size, g);
+  if (separate) widen(shape, size, g);
 }
 
 static double second_of(const scaled_geometry *g, double mass, int k) {
   return times(mass, g->is.second[k], 2 * g->of[k]);
 }
 
-/* Where one scale is not enough, the reported moment is that about z. */
+/* 0 if the sizes need separate scales; the reported moment is then that about z. */
 static int one_scale(const scaled_geometry *g) { return g->of[0] == g->e && g->of[1] == g->e; }
 
 static double moment_of(const scaled_geometry *g, double mass) {
@@ -153,7 +153,7 @@ static void fill(double *out[], size_t i, double x) {
   for (int c = 0; c < ROT_SHAPE_COLUMNS; c++) out[c][i] = x;
 }
 
-/* Only the moment beta m r^2 is known. */
+/* A row without shape: only the moment beta m r^2 is known. */
 static void row_of_beta(double *out[], size_t i, double beta, double mass, double r) {
   fill(out, i, NAN);
   out[ROT_SHAPE_MOMENT][i] = rot_product(4, (double[]){beta, mass, r, r}, 1.0);
@@ -161,6 +161,7 @@ static void row_of_beta(double *out[], size_t i, double beta, double mass, doubl
   out[ROT_SHAPE_GYRATION][i] = sqrt(beta) * r;
 }
 
+/* (shape, mass, sizes) => row i of all columns */
 static void row_of_shape(double *out[], size_t i, const rot_shape *shape, double mass,
                          const double size[]) {
   scaled_geometry scaled;

@@ -1,4 +1,4 @@
-/* Bodies of a standard shape: one, or a table with a shape in each row. */
+/* Bodies of standard shapes: one body, or a table with a shape in each row. */
 #ifndef ROT_SHAPES_H
 #define ROT_SHAPES_H
 
@@ -7,7 +7,7 @@
 #include "ground/column.h"
 #include "body/shapes_geometry.h"
 
-/* Errors in a row; NaN is none, it passes to the results. */
+/* Errors in a row. NaN is not an error: the results are NaN. */
 typedef enum rot_shape_fault {
   ROT_SHAPE_FITS,
   ROT_SHAPE_NEGATIVE, /* a length below 0 */
@@ -18,30 +18,32 @@ typedef enum rot_shape_fault {
   ROT_SHAPE_BETA      /* a beta below 0 */
 } rot_shape_fault;
 
-/* *slot: index of the wrong size. */
+/* (shape, size) => fault, *slot: index of the invalid size */
 rot_shape_fault rot_shape_check(const rot_shape *shape, const double size[], int *slot);
 
 typedef struct rot_shape_body {
   double mass_kg;
   double second_kg_m2[6]; /* about the centre of mass: xx, yy, zz, xy, xz, yz */
-  double centre_m[3], reach_m, beta;
-  double moment_kg_m2; /* the one that the table reports */
-  double gyration_m;   /* of it: sqrt(I/m), also where m is 0 */
-  double error;        /* bound of the second moment's, relative to its trace */
+  double centre_m[3];
+  double reach_m;      /* from the centre of mass to the farthest point */
+  double beta;         /* I/(m r^2) of a shape that rolls about z, else NaN */
+  double moment_kg_m2; /* I in tables */
+  double gyration_m;   /* sqrt(I/m), also for m = 0 */
+  double error;        /* bound of the second moment's error, relative to its trace */
 } rot_shape_body;
 
-/* `amount` is the mass, or the density (of volume, area or length, by the shape's dimension). Sizes
- * have passed rot_shape_check(); they may be of any scale, in ratios of up to 1e300 (1e150 with a
- * density). Results that overflow or underflow are Inf or 0. */
+/* (shape, amount, size) => body. `amount`: mass, or density of volume, area or length by the
+ * shape's dimension. Sizes have passed rot_shape_check(); they may have any scale, and ratios up to
+ * 1e300 (1e150 with a density). Results that over- or underflow are Inf or 0. */
 void rot_shape_make(const rot_shape *shape, double amount, int is_density, const double size[],
                     rot_shape_body *out);
 
-/* Row i has shape `shape[i]` of the list, or none (-1): then its moment is beta m r^2. Columns of
- * sizes are in the order of ROT_SIZE_LIST; those that no row needs are not read. */
 typedef struct rot_shape_rows {
-  const int *shape;
-  size_t shape_step; /* 1, or 0: one shape for all */
-  rot_column mass_kg, beta, size[ROT_SIZE_COUNT];
+  const int *shape;  /* index in the list; -1: none, the moment is beta m r^2 */
+  size_t shape_step; /* 1, or 0: one shape for all rows */
+  rot_column mass_kg;
+  rot_column beta;
+  rot_column size[ROT_SIZE_COUNT]; /* by rot_size_id; read only if a row needs it */
 } rot_shape_rows;
 
 enum {
@@ -54,7 +56,8 @@ enum {
   ROT_SHAPE_COLUMNS
 };
 
-/* Stops at the first wrong row, *row, and its size *slot. A NaN in a row fills its results. */
+/* n rows => columns, fault of the first invalid row *row with size *slot; a NaN in a row makes its
+ * results NaN */
 rot_shape_fault rot_shapes_table(size_t n, const rot_shape_rows *rows,
                                  double *out[ROT_SHAPE_COLUMNS], size_t *row, int *slot);
 

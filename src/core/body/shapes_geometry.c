@@ -6,35 +6,35 @@
 
 #define PI 3.14159265358979323846
 
-/* The second moments, measure and reach of a body centred at the origin. */
+/* A body centred at the origin, from second moments, measure and reach. */
 static void body(rot_geometry *out, double cxx, double cyy, double czz, double measure,
                  double reach) {
   *out = (rot_geometry){{cxx, cyy, czz, 0.0}, cxx + cyy, {0.0, 0.0, 0.0}, measure, reach, NAN};
 }
 
-/* Symmetric about z (c_xx = c_yy), its centre at centre_z. */
+/* A body symmetric about z (c_xx = c_yy), centred at z = centre_z. */
 static void round_body(rot_geometry *out, double cxx, double czz, double centre_z, double measure,
                        double reach) {
   body(out, cxx, cxx, czz, measure, reach);
   out->centre[2] = centre_z;
 }
 
-/* One that rolls about z, too. */
+/* A body symmetric about z that rolls about z. */
 static void roller(rot_geometry *out, double cxx, double czz, double measure, double reach,
                    double beta) {
   body(out, cxx, cxx, czz, measure, reach);
   out->beta = beta;
 }
 
-/* some/all, where 0/0 is 0. NaN stays. */
+/* => some/all, 0 for 0/0; NaN stays */
 static double part(double some, double all) { return all == 0.0 ? 0.0 : some / all; }
 
 static double longest(double a, double b) { return a > b || isnan(a) ? a : b; }
 
-/* Of sizes near 1, which need none of the scaling in hypot(). */
+/* hypot() without its scaling, for sizes near 1. */
 static double norm(double a, double b) { return sqrt(a * a + b * b); }
 
-/* Two radii in units of the larger one, which is returned. Both zero: a uniform rod. */
+/* size => two radii u, v in units of the larger one, which is returned; 1 if both are 0 (a rod) */
 static double in_largest(const double size[], double *u, double *v) {
   const double big = longest(size[0], size[1]);
   *u = big > 0.0 ? size[0] / big : 1.0;
@@ -44,7 +44,7 @@ static double in_largest(const double size[], double *u, double *v) {
 
 /* ---- points and lines ----------------------------------------------------------------------- */
 
-/* About an axis at the distance r. */
+/* Moment about an axis at the distance r. */
 static void point(const double size[], rot_geometry *out) {
   body(out, 0.0, 0.0, 0.0, NAN, 0.0);
   out->moment = size[0] * size[0];
@@ -62,7 +62,7 @@ static void rod(const double size[], rot_geometry *out) {
   body(out, l * l / 12.0, 0.0, 0.0, l, l / 2.0);
 }
 
-/* About its end. */
+/* Moment about the end. */
 static void rod_end(const double size[], rot_geometry *out) {
   rod(size, out);
   out->moment = size[0] * size[0] / 3.0;
@@ -74,7 +74,7 @@ static void hoop(const double size[], rot_geometry *out) {
   roller(out, r * r / 2.0, 0.0, 2.0 * PI * r, r, 1.0);
 }
 
-/* Its centre of mass is 2 r/pi above the diameter; reach is from there to an end. */
+/* Centre of mass 2 r/pi above the diameter; reach: distance from there to an end. */
 static void half_hoop(const double size[], rot_geometry *out) {
   const double r = size[0], up = 2.0 / PI;
   const double across = 0.09471526543064891422; /* 1/2 - 4/pi^2 */
@@ -123,7 +123,8 @@ static void triangle(const double size[], rot_geometry *out) {
   out->centre[1] = gy;
 }
 
-/* On its circumscribed circle, a corner on x. In degrees the cosine of the usual ones is exact. */
+/* Radius of the circumscribed circle, a corner on the x axis. Degrees: the cosines of common
+ * polygons are exact. */
 static void polygon_plate(const double size[], rot_geometry *out) {
   const double r = size[0], n = size[1], deg = 360.0 / n;
   round_body(out, r * r * (2.0 + rot_cos_deg(deg)) / 12.0, 0.0, 0.0,
@@ -137,7 +138,7 @@ static void tube(const double size[], rot_geometry *out) {
   roller(out, r * r / 2.0, l * l / 12.0, 2.0 * PI * r * l, norm(r, l / 2.0), 1.0);
 }
 
-/* A tube and two disks, in proportion to their areas, l to r. */
+/* A tube and two disks with areas in the ratio l to r. */
 static void can(const double size[], rot_geometry *out) {
   const double r = size[0], l = size[1], ends = part(r, r + l);
   roller(out, r * r * part(2.0 * l + r, l + r) / 4.0, l * l * (1.0 + 2.0 * ends) / 12.0,
@@ -156,7 +157,7 @@ static void hemispherical_shell(const double size[], rot_geometry *out) {
              1.1180339887498948482 * r);
 }
 
-/* Uniform in z (Archimedes). */
+/* The area is uniform in z (Archimedes). */
 static void spherical_cap_shell(const double size[], rot_geometry *out) {
   const double r = size[0], h = size[1], b = 2.0 * r - h;
   round_body(out, h * (3.0 * b + h) / 12.0, h * h / 12.0, h / 2.0, 2.0 * PI * r * h,
@@ -185,13 +186,13 @@ static void torus_shell(const double size[], rot_geometry *out) {
          x * x + 1.5 * (y * y));
 }
 
-/* Between similar ellipsoids: the thickness varies, so there is no areal density. */
+/* Shell between similar ellipsoids: the thickness varies, so there is no areal density. */
 static void ellipsoid_shell(const double size[], rot_geometry *out) {
   const double a = size[0], b = size[1], c = size[2];
   body(out, a * a / 3.0, b * b / 3.0, c * c / 3.0, NAN, longest(longest(a, b), c));
 }
 
-/* Faces across x are 2 b c of the area 2 (b c + a c + a b), at a/2; x is uniform over the
+/* The faces normal to x, 2 b c of the area 2 (b c + a c + a b), are at a/2; x is uniform over the
  * others. */
 static void box_shell(const double size[], rot_geometry *out) {
   const double a = size[0], b = size[1], c = size[2], bc = b * c, ac = a * c, ab = a * b,
@@ -203,7 +204,7 @@ static void box_shell(const double size[], rot_geometry *out) {
 
 /* ---- round solids --------------------------------------------------------------------------- */
 
-/* A plate becomes a prism of length l. */
+/* plate => prism of length l */
 static void extrude(double l, rot_geometry *out) {
   out->second[2] = l * l / 12.0;
   out->measure *= l;
@@ -235,7 +236,7 @@ static void sphere(const double size[], rot_geometry *out) {
   roller(out, r * r / 5.0, r * r / 5.0, 4.0 * PI / 3.0 * (r * r * r), r, 0.4);
 }
 
-/* (R^5 - r^5)/(R^3 - r^3) loses all digits of a thin wall. With x = r/R it is
+/* (R^5 - r^5)/(R^3 - r^3) loses all digits for a thin shell. With x = r/R it is equal to
  * r^2 + R (R + r)/(1 + x + x^2), the form with the fewest roundings: 4 ulp for all x. */
 static void hollow_sphere(const double size[], rot_geometry *out) {
   const double outer = size[0], inner = size[1], x = outer > 0.0 ? inner / outer : inner;
@@ -254,7 +255,7 @@ static void hemisphere(const double size[], rot_geometry *out) {
 
 static void spherical_cap(const double size[], rot_geometry *out) {
   const double h = size[1], b = 2.0 * size[0] - h, d = 3.0 * b + h;
-  /* Shares of b and h, so that a flat cap of a huge sphere stays in range. */
+  /* Ratios of b and h to d, so that a flat cap of a huge sphere does not overflow. */
   const double x = part(b, d), y = part(h, d), up = h * (2.0 * x + y) / 2.0;
   round_body(out, h * (10.0 * b * x + 5.0 * b * y + h * y) / 20.0,
              h * h * (10.0 * (x * x) + 8.0 * (x * y) + y * y) / 20.0, up, PI * (h * h) * d / 6.0,
@@ -296,7 +297,7 @@ static void torus(const double size[], rot_geometry *out) {
          x * x + 0.75 * (y * y));
 }
 
-/* A cylinder and two half spheres, in proportion to 3 l to 4 r. */
+/* A cylinder and two hemispheres with volumes in the ratio 3 l to 4 r. */
 static void capsule(const double size[], rot_geometry *out) {
   const double r = size[0], l = size[1], all = 3.0 * l + 4.0 * r;
   const double cylinder = part(3.0 * l, all), ends = part(4.0 * r, all);

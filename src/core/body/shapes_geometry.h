@@ -1,12 +1,11 @@
-/* The geometry of a shape from its sizes, per unit mass: second moments about the centre of mass,
- * the centre, volume (area, length), reach, and beta where it rolls.
+/* Geometry of a shape from its sizes, per unit mass: second moments about the centre of mass,
+ * centre, volume (area, length), reach, and beta of shapes that roll.
  *
  *     c_xx = int (x - g_x)^2 dm / m,   I_xx/m = c_yy + c_zz,   I_xy/m = -c_xy
  *
- * All forms are sums of terms of one sign (except a triangle's c_xy and centre), so no sizes
- * cancel: a hollow sphere is (1 + x + .. + x^4)/(1 + x + x^2) with x = r/R, a cap is written in its
- * height h and the rest of the diameter, b = 2 R - h. The sizes must be near 1: callers scale by a
- * power of two.
+ * All forms are sums of terms of one sign (except a triangle's c_xy and centre), so nothing
+ * cancels: a hollow sphere is (1 + x + .. + x^4)/(1 + x + x^2) with x = r/R; a cap is expressed by
+ * its height h and b = 2 R - h. The sizes must be near 1: callers scale by a power of two.
  *
  * Source: Goldstein, Classical Mechanics, 3rd ed., ch. 5; Beer & Johnston, Vector Mechanics for
  * Engineers, inside cover; the rest by integration of the same kind. */
@@ -20,23 +19,24 @@
 enum { ROT_SIZES = 4 };
 
 typedef struct rot_geometry {
-  double second[4]; /* xx, yy, zz, xy; xz and yz are zero in every shape's own axes */
-  double moment;    /* the one in tables: I_zz about the centre, unless the shape says otherwise */
-  double centre[3]; /* in the own axes */
+  double second[4]; /* xx, yy, zz, xy; xz and yz are zero in the axes of each shape */
+  double moment;    /* moment in tables: I_zz about the centre, except point and rod_end */
+  double centre[3]; /* in the axes of the shape */
   double measure;   /* volume, area or length, by the shape's dimension; NaN if it has none */
   double reach;     /* from the centre of mass to the farthest point */
-  double beta;      /* I_zz/(m r^2) on the outer radius; NaN where it does not roll about z */
+  double beta;      /* I_zz/(m r^2) on the outer radius; NaN if it does not roll about z */
 } rot_geometry;
 
+/* size => geometry */
 typedef void rot_geometry_function(const double size[ROT_SIZES], rot_geometry *out);
 
 typedef enum rot_size_kind {
-  ROT_KIND_LENGTH, /* at least 0 */
-  ROT_KIND_OFFSET, /* a length of either sign */
-  ROT_KIND_COUNT   /* a whole number of at least 3 */
+  ROT_KIND_LENGTH, /* >= 0 */
+  ROT_KIND_OFFSET, /* length of either sign */
+  ROT_KIND_COUNT   /* integer >= 3 */
 } rot_size_kind;
 
-/* Every size that a shape may have, with the name of R's argument and column. */
+/* Sizes of shapes: id, name of R's argument and column, kind. */
 #define ROT_SIZE_LIST(X)                                                                           \
   X(ROT_RADIUS, "radius_m", ROT_KIND_LENGTH)                                                       \
   X(ROT_LENGTH, "length_m", ROT_KIND_LENGTH)                                                       \
@@ -68,13 +68,17 @@ typedef struct rot_size {
   rot_size_kind kind;
 } rot_size;
 
+/* rot_size_id => size */
 const rot_size *rot_size_at(int id);
 
-/* Constraints on the sizes. ROT_FIT_INSIDE: the second is at most the first; ROT_FIT_IN_SPHERE: the
- * second, a height, is at most twice the first, a radius. */
-typedef enum rot_fit { ROT_FIT_ANY, ROT_FIT_INSIDE, ROT_FIT_IN_SPHERE } rot_fit;
+/* Constraints on the sizes. */
+typedef enum rot_fit {
+  ROT_FIT_ANY,
+  ROT_FIT_INSIDE,   /* second size <= first size */
+  ROT_FIT_IN_SPHERE /* second size, a height, <= twice the first, a radius */
+} rot_fit;
 
-/* name, dimension, roundings, how sizes fit, number of sizes, sizes. The roundings of each form are
+/* name, dimension, roundings, constraint, number of sizes, sizes. The roundings of each form are
  * counted (constant, square, factor, mass); test_shapes.c checks each form against 50 digits. */
 #define ROT_SHAPE_LIST(X)                                                                          \
   X(point, 0, 4, ROT_FIT_ANY, 1, ROT_RADIUS)                                                       \
@@ -125,14 +129,16 @@ typedef enum rot_fit { ROT_FIT_ANY, ROT_FIT_INSIDE, ROT_FIT_IN_SPHERE } rot_fit;
 typedef struct rot_shape {
   const char *name;
   int dimension; /* 3: solid, 2: surface, 1: line, 0: point */
-  int sizes;
+  int sizes;     /* 1 to ROT_SIZES */
   rot_size_id size[ROT_SIZES];
   rot_fit fit;
-  int roundings; /* of each second moment at most, the mass included */
+  int roundings; /* max of each second moment, with that of the mass */
   rot_geometry_function *geometry;
 } rot_shape;
 
+/* => number of shapes in the list */
 size_t rot_shape_count(void);
+/* i => shape i of the list */
 const rot_shape *rot_shape_at(size_t i);
 
 #endif

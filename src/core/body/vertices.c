@@ -7,13 +7,13 @@
 #include "ground/real.h"
 #include "body/inertia.h"
 
-/* A vertex relative to the first one, exactly, in units of 2^exponent. */
+/* A vertex relative to the first vertex, exact, in units of 2^exponent. */
 typedef struct corner {
   rot_dd x[3];
 } corner;
 
-/* Exponent of the largest coordinate difference; computed from halves, since the difference may
- * overflow. */
+/* => exponent of the largest coordinate difference, from halves, since the difference may overflow
+ */
 static int exponent_of(size_t n, int dimension, const double v[]) {
   double max = 0.0;
   int e = 0;
@@ -26,7 +26,7 @@ static int exponent_of(size_t n, int dimension, const double v[]) {
   return e + 1;
 }
 
-/* Scaled before the subtraction, which is exact unless the coordinates leave the range. */
+/* i => vertex i. Scaled before the subtraction, which is exact unless a coordinate underflows. */
 static corner corner_at(size_t n, int dimension, const double v[], size_t i, int e) {
   corner c = {{{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}}};
   for (int d = 0; d < dimension; d++) {
@@ -45,7 +45,7 @@ static double square_length(const rot_dd x[3], const rot_dd from[3]) {
   return sum;
 }
 
-/* The mass (from a density and the measure), and the second moments from those of unit mass. */
+/* (amount, measure, second moments of unit mass) => mass, second moments */
 static void give_mass(rot_vertices_body *out, int dimension, double measure, double amount,
                       int is_density, int e, const double second[6]) {
   int power;
@@ -67,7 +67,7 @@ static rot_dd cross(const rot_dd a[], const rot_dd b[]) {
   return rot_dd_sub(rot_dd_mul(a[0], b[1]), rot_dd_mul(a[1], b[0]));
 }
 
-/* Twice the area, and the sum of the absolute values of its terms. */
+/* corners => twice the signed area, sum of the absolute values of its terms */
 static rot_dd double_area(size_t n, const corner c[], double *terms) {
   rot_dd area = {0.0, 0.0};
   *terms = 0.0;
@@ -91,12 +91,13 @@ static void polygon_centre(size_t n, const corner c[], rot_dd area2, rot_dd g[3]
   g[2] = (rot_dd){0.0, 0.0};
 }
 
-/* a_j a_k + b_j b_k + (a_j + b_j)(a_k + b_k) */
+/* => a_j a_k + b_j b_k + (a_j + b_j)(a_k + b_k) */
 static rot_dd edge_term(const rot_dd a[], const rot_dd b[], int j, int k) {
   const rot_dd ends = rot_dd_add(rot_dd_mul(a[j], a[k]), rot_dd_mul(b[j], b[k]));
   return rot_dd_add(ends, rot_dd_mul(rot_dd_add(a[j], b[j]), rot_dd_add(a[k], b[k])));
 }
 
+/* (corners, twice the area, centre g) => second moments of unit mass about g */
 static void polygon_second(size_t n, const corner c[], rot_dd area2, const rot_dd g[3],
                            double second[6]) {
   rot_dd sum[3] = {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}};
@@ -118,7 +119,7 @@ static void polygon_second(size_t n, const corner c[], rot_dd area2, const rot_d
   second[2] = second[4] = second[5] = 0.0;
 }
 
-/* The side of the line from a to b on which c lies: 1, -1, or 0 within rounding. */
+/* => side of the line from a to b on which c lies: 1, -1, or 0 within rounding */
 static int side(const rot_dd a[], const rot_dd b[], const rot_dd c[]) {
   const double abx = b[0].hi - a[0].hi, aby = b[1].hi - a[1].hi, acx = c[0].hi - a[0].hi,
                acy = c[1].hi - a[1].hi, p = abx * acy, q = aby * acx;
@@ -131,13 +132,13 @@ static int same_place(const rot_dd a[], const rot_dd b[]) {
   return x.hi == 0.0 && y.hi == 0.0;
 }
 
-/* Is the angle at v between a and b less than a right angle? */
+/* 1 if the angle at v between a and b is below 90 degrees. */
 static int ahead(const rot_dd v[], const rot_dd a[], const rot_dd b[]) {
   return (a[0].hi - v[0].hi) * (b[0].hi - v[0].hi) + (a[1].hi - v[1].hi) * (b[1].hi - v[1].hi) >
          0.0;
 }
 
-/* Does the outline a, v, b cross the edge from s to t at the vertex v? */
+/* 1 if the outline a, v, b crosses the edge from s to t at the vertex v. */
 static int goes_through(const rot_dd a[], const rot_dd v[], const rot_dd b[], const rot_dd s[],
                         const rot_dd t[]) {
   if (side(s, t, v) != 0 || !ahead(s, t, v) || !ahead(t, s, v)) return 0;
@@ -145,8 +146,8 @@ static int goes_through(const rot_dd a[], const rot_dd v[], const rot_dd b[], co
   return side(s, t, a) * side(s, t, b) < 0;
 }
 
-/* Is the direction from v to x between those to a and b, counter-clockwise? -1 where it is one of
- * them. */
+/* 1 if the direction from v to x is between those to a and b, counter-clockwise; -1 if it is equal
+ * to one of them. */
 static int between(const rot_dd v[], const rot_dd a[], const rot_dd b[], const rot_dd x[]) {
   const int ab = side(v, a, b), ax = side(v, a, x), bx = side(v, b, x);
   if ((ax == 0 && ahead(v, a, x)) || (bx == 0 && ahead(v, b, x))) return -1;
@@ -154,7 +155,7 @@ static int between(const rot_dd v[], const rot_dd a[], const rot_dd b[], const r
   return ab > 0 ? ax > 0 && bx < 0 : !(bx > 0 && ax < 0);
 }
 
-/* Do the paths a, v, b and s, v, t cross at v? */
+/* 1 if the paths a, v, b and s, v, t cross at v. */
 static int cross_at_corner(const rot_dd a[], const rot_dd v[], const rot_dd b[], const rot_dd s[],
                            const rot_dd t[]) {
   if (same_place(a, v) || same_place(b, v) || same_place(s, v) || same_place(t, v)) return 0;
@@ -162,7 +163,7 @@ static int cross_at_corner(const rot_dd a[], const rot_dd v[], const rot_dd b[],
          between(v, a, b, t) >= 0;
 }
 
-/* Edges p and q, of which at least one ends on the other. */
+/* 1 if edges p and q cross, at least one of which ends on the other. */
 static int cross_where_they_touch(size_t n, const corner c[], size_t p, size_t q) {
   const rot_dd *a = c[p].x, *v = c[(p + 1) % n].x, *b = c[(p + 2) % n].x;
   const rot_dd *s = c[q].x, *w = c[(q + 1) % n].x, *t = c[(q + 2) % n].x;
@@ -171,8 +172,8 @@ static int cross_where_they_touch(size_t n, const corner c[], size_t p, size_t q
 }
 
 typedef struct edge_box {
-  double low, high, bottom, top;
-  size_t from;
+  double low, high, bottom, top; /* range of x, range of y */
+  size_t from;                   /* first vertex of the edge */
 } edge_box;
 
 static int by_low_end(const void *a, const void *b) {
@@ -180,7 +181,8 @@ static int by_low_end(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
-/* Sweep over x: each edge is compared with those that begin before it ends. */
+/* polygon => *found, the edges that cross. Sweep over x: each edge is compared with those that
+ * begin before it ends. */
 static rot_status find_crossing(size_t n, const corner c[], edge_box box[], const rot_hooks *hooks,
                                 int *found, size_t edge[2]) {
   *found = 0;
@@ -191,7 +193,7 @@ static rot_status find_crossing(size_t n, const corner c[], edge_box box[], cons
   }
   qsort(box, n, sizeof *box, by_low_end);
   for (size_t i = 0; i < n; i++) {
-    /* Usually an edge overlaps few others; in a star with long spikes, all. */
+    /* Usually an edge overlaps few others; in a star with long spikes, all of them. */
     if (i % 64 == 63) {
       const rot_status status = rot_poll(hooks, (double)i / (double)n);
       if (status != ROT_OK) return status;
@@ -212,6 +214,7 @@ static rot_status find_crossing(size_t n, const corner c[], edge_box box[], cons
   return ROT_OK;
 }
 
+/* (vertices v, amount) => body; c, box: work space of n elements */
 static rot_status polygon_from(size_t n, const double v[], double amount, int is_density,
                                corner c[], edge_box box[], const rot_hooks *hooks,
                                rot_vertices_body *out, rot_vertices_fault *fault) {
@@ -236,8 +239,7 @@ static rot_status polygon_from(size_t n, const double v[], double amount, int is
   for (int k = 0; k < 2; k++) out->centre_m[k] = v[(size_t)k * n] + ldexp(g[k].hi, e);
   out->centre_m[2] = 0.0;
   out->reach_m = ldexp(sqrt(reach), e);
-  /* The error of the sums is some 2^-96 of their terms; the rest is the last rounding and the
-   * mass. */
+  /* Errors: some 2^-96 of the terms in the sums, the last rounding, the mass. */
   const double sums = 64.0 * (double)n * ROT_DD_EPS / ROT_EPS * terms / fabs(area2.hi);
   out->error = rot_inertia_error(out->second_kg_m2, out->mass_kg, is_density,
                                  (is_density ? 8.0 : 4.0) + sums, amount > 0.0);
@@ -263,7 +265,7 @@ rot_status rot_polygon(size_t n, const double v[], double amount, int is_density
 
 /* ---- tetrahedron ---------------------------------------------------------------------------- */
 
-/* Six times the volume, and the sum of the absolute values of its terms. */
+/* corners => six times the signed volume, sum of the absolute values of its terms */
 static rot_dd six_volumes(const corner c[4], double *terms) {
   rot_dd volume = {0.0, 0.0};
   *terms = 0.0;

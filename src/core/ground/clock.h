@@ -4,7 +4,7 @@
 
 #include "ground/ieee.h"
 
-/* In s, from an arbitrary origin; NaN where it is not available. */
+/* => processor time in s from an arbitrary origin; NaN if unavailable. */
 double rot_clock_cpu_s(void);
 
 #endif

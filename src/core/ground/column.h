@@ -11,6 +11,7 @@ typedef struct rot_column {
   size_t step; /* 1, or 0 for one value in all rows */
 } rot_column;
 
+/* => value of the column in a row */
 static inline double rot_at(rot_column column, size_t row) {
   return column.values[row * column.step];
 }

@@ -14,12 +14,13 @@ typedef struct rot_dd {
   double hi, lo;
 } rot_dd;
 
-/* a + b where |a| >= |b| or a is 0. */
+/* (a, b) => a + b, for |a| >= |b| or a = 0 */
 static inline rot_dd rot_dd_quick(double a, double b) {
   const double s = a + b;
   return (rot_dd){s, b - (s - a)};
 }
 
+/* (a, b) => a + b, exact */
 static inline rot_dd rot_dd_sum2(double a, double b) {
   double lo, hi = rot_two_sum(a, b, &lo);
   return (rot_dd){hi, lo};
@@ -37,6 +38,7 @@ static inline rot_dd rot_dd_sub(rot_dd a, rot_dd b) { return rot_dd_add(a, rot_d
 
 static inline rot_dd rot_dd_add1(rot_dd a, double b) { return rot_dd_add(a, (rot_dd){b, 0.0}); }
 
+/* (a, b) => a b, exact unless it underflows */
 static inline rot_dd rot_dd_mul2(double a, double b) {
   double lo, hi = rot_two_prod(a, b, &lo);
   return (rot_dd){hi, lo};
@@ -52,6 +54,7 @@ static inline rot_dd rot_dd_mul1(rot_dd a, double b) {
   return rot_dd_quick(p.hi, p.lo + a.lo * b);
 }
 
+/* a/b by three quotients of doubles */
 static inline rot_dd rot_dd_div(rot_dd a, rot_dd b) {
   const double q = a.hi / b.hi;
   const rot_dd r = rot_dd_sub(a, rot_dd_mul1(b, q));
@@ -60,6 +63,7 @@ static inline rot_dd rot_dd_div(rot_dd a, rot_dd b) {
   return rot_dd_add1(rot_dd_quick(q, q1), r1.hi / b.hi);
 }
 
+/* sqrt() and one Newton correction; NaN for a < 0 */
 static inline rot_dd rot_dd_sqrt(rot_dd a) {
   if (!(a.hi > 0.0)) return (rot_dd){sqrt(a.hi), 0.0};
   const double x = sqrt(a.hi);
@@ -67,6 +71,7 @@ static inline rot_dd rot_dd_sqrt(rot_dd a) {
   return rot_dd_quick(x, r.hi / (2.0 * x));
 }
 
+/* (a, e) => a 2^e */
 static inline rot_dd rot_dd_ldexp(rot_dd a, int e) {
   return (rot_dd){rot_ldexp(a.hi, e), rot_ldexp(a.lo, e)};
 }

@@ -4,17 +4,17 @@
 
 #include "ground/dd.h"
 
-/* x = n pi/2 + r, |r| <= pi/4 (a little more where n is rounded), with pi/2 to 212 bits; returns n,
- * which is exact below 2^52. */
+/* x => n, r with x = n pi/2 + r and |r| <= pi/4 (slightly more where n is rounded). pi/2 has 212
+ * bits; the returned n is exact below 2^52. */
 double rot_dd_quarter_turns(rot_dd x, rot_dd *r);
 
-/* The sine of |r| < 0.8, by its series. */
+/* r => sin r by its series, |r| < 0.8 */
 rot_dd rot_dd_sine(rot_dd r);
 
-/* Sine and cosine of any x below 2^52 quarter turns. */
+/* x => sin x, cos x, for |x| below 2^52 quarter turns */
 void rot_dd_sine_cosine(rot_dd x, rot_dd *sine, rot_dd *cosine);
 
-/* x less the nearest multiple of 4 pi: what is left of the angle of a quaternion. */
+/* x => x minus the nearest multiple of 4 pi, the period of a quaternion */
 rot_dd rot_dd_less_double_turns(rot_dd x);
 
 #endif

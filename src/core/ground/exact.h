@@ -13,8 +13,8 @@
 
 #define ROT_EPS 0x1p-53 /* unit roundoff */
 
-/* ldexp(), and its bits: a product with a power of two has one rounding, too. Calls of ldexp() were
- * 8 % of the time of a free body's row. */
+/* (x, e) => x 2^e with the bits of ldexp(): both round once. Calls of ldexp() were 8 % of the time
+ * of a free body's row. */
 static inline double rot_ldexp(double x, int e) {
   if (e < -1022 || e > 1023) return ldexp(x, e);
   const uint64_t bits = (uint64_t)(e + 1023) << 52;
@@ -23,21 +23,21 @@ static inline double rot_ldexp(double x, int e) {
   return x * power;
 }
 
-/* a + b = returned + *lo, exactly (Knuth). */
+/* (a, b) => rounded sum, *lo its error: a + b = returned + *lo exactly (Knuth) */
 static inline double rot_two_sum(double a, double b, double *lo) {
   double s = a + b, bb = s - a;
   *lo = (a - (s - bb)) + (b - bb);
   return s;
 }
 
-/* a * b = returned + *lo, exactly unless it underflows. */
+/* (a, b) => rounded product, *lo its error: exact unless it underflows */
 static inline double rot_two_prod(double a, double b, double *lo) {
   double p = a * b;
   *lo = fma(a, b, -p);
   return p;
 }
 
-/* Add x to the running sum *sum + *lo. */
+/* Adds x to the running sum *sum + *lo. */
 static inline void rot_accumulate(double *sum, double *lo, double x) {
   double e;
   *sum = rot_two_sum(*sum, x, &e);

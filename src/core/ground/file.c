@@ -37,6 +37,7 @@ void rot_file_open(rot_file *file, const char *path) {
 
 void rot_file_on(rot_file *file, int descriptor) { begin(file, descriptor, 0); }
 
+/* Writes n bytes; repeats partial and interrupted writes. */
 static void write_all(rot_file *file, const char *bytes, size_t n) {
   while (n > 0 && file->code == 0) {
     errno = 0;

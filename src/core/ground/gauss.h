@@ -7,9 +7,11 @@
 /* The 12-point Gauss-Legendre rule on (0, 1). Truncation error below 1e-17 for exponentials and
  * sines with arguments up to 3. */
 typedef struct rot_gauss_node {
-  double x, weight;
+  double x;      /* 0 to 1 */
+  double weight; /* > 0, sum 1 */
 } rot_gauss_node;
 
+/* i in 0 .. 11 => node i, increasing */
 static inline rot_gauss_node rot_gauss(int i) {
   static const double place[6] = {0.98156063424671925069, 0.90411725637047485667,
                                   0.76990267419430468703, 0.58731795428661744729,

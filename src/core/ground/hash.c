@@ -1,5 +1,5 @@
-/* After the specification: Y. Collet, "xxHash fast digest algorithm", whose names of steps and
- * constants these are. */
+/* Names of steps and constants are those of the specification: Y. Collet, "xxHash fast digest
+ * algorithm". */
 #include "ground/hash.h"
 
 #include <stdint.h>
@@ -32,9 +32,9 @@ static const unsigned char secret[SECRET] = {
     0x2b, 0x16, 0xbe, 0x58, 0x7d, 0x47, 0xa1, 0xfc, 0x8f, 0xf8, 0xb8, 0xd1, 0x7a, 0xd0, 0x31, 0xce,
     0x45, 0xcb, 0x3a, 0x8f, 0x95, 0x16, 0x04, 0x28, 0xaf, 0xd7, 0xfb, 0xca, 0xbb, 0x4b, 0x40, 0x7e};
 
-typedef struct simd {
+typedef struct u128 {
   uint64_t low, high;
-} simd;
+} u128;
 
 static uint64_t read32(const unsigned char *p) {
   return (uint64_t)p[0] | (uint64_t)p[1] << 8 | (uint64_t)p[2] << 16 | (uint64_t)p[3] << 24;
@@ -48,17 +48,17 @@ static uint64_t swap32(uint64_t x) {
 
 static uint64_t swap64(uint64_t x) { return swap32(x & 0xffffffffu) << 32 | swap32(x >> 32); }
 
-static simd multiply(uint64_t a, uint64_t b) {
+static u128 multiply(uint64_t a, uint64_t b) {
   const uint64_t half = 0xffffffffu;
   const uint64_t ll = (a & half) * (b & half), lh = (a & half) * (b >> 32);
   const uint64_t hl = (a >> 32) * (b & half), hh = (a >> 32) * (b >> 32);
   const uint64_t middle = (ll >> 32) + (lh & half) + hl;
-  const simd product = {middle << 32 | (ll & half), hh + (lh >> 32) + (middle >> 32)};
+  const u128 product = {middle << 32 | (ll & half), hh + (lh >> 32) + (middle >> 32)};
   return product;
 }
 
 static uint64_t fold(uint64_t a, uint64_t b) {
-  const simd product = multiply(a, b);
+  const u128 product = multiply(a, b);
   return product.low ^ product.high;
 }
 
@@ -73,20 +73,20 @@ static uint64_t avalanche_xxh64(uint64_t x) {
   return x ^ x >> 32;
 }
 
-static simd hash_1_to_3(const unsigned char *in, size_t n) {
+static u128 hash_1_to_3(const unsigned char *in, size_t n) {
   const uint64_t combined =
       (uint64_t)in[n - 1] | (uint64_t)n << 8 | (uint64_t)in[0] << 16 | (uint64_t)in[n >> 1] << 24;
   const uint64_t swapped = swap32(combined);
   const uint64_t turned = (swapped << 13 | swapped >> 19) & 0xffffffffu;
-  const simd hash = {avalanche_xxh64((read32(secret) ^ read32(secret + 4)) ^ combined),
+  const u128 hash = {avalanche_xxh64((read32(secret) ^ read32(secret + 4)) ^ combined),
                      avalanche_xxh64((read32(secret + 8) ^ read32(secret + 12)) ^ turned)};
   return hash;
 }
 
-static simd hash_4_to_8(const unsigned char *in, size_t n) {
+static u128 hash_4_to_8(const unsigned char *in, size_t n) {
   const uint64_t combined = read32(in) | read32(in + n - 4) << 32;
   const uint64_t value = (read64(secret + 16) ^ read64(secret + 24)) ^ combined;
-  simd hash = multiply(value, PRIME64_1 + ((uint64_t)n << 2));
+  u128 hash = multiply(value, PRIME64_1 + ((uint64_t)n << 2));
   hash.high += hash.low << 1;
   hash.low ^= hash.high >> 3;
   hash.low = (hash.low ^ hash.low >> 35) * PRIME_MX2;
@@ -95,15 +95,15 @@ static simd hash_4_to_8(const unsigned char *in, size_t n) {
   return hash;
 }
 
-static simd hash_9_to_16(const unsigned char *in, size_t n) {
+static u128 hash_9_to_16(const unsigned char *in, size_t n) {
   const uint64_t first = read64(in), last = read64(in + n - 8);
   const uint64_t a = (read64(secret + 32) ^ read64(secret + 40)) ^ first ^ last;
   const uint64_t b = (read64(secret + 48) ^ read64(secret + 56)) ^ last;
-  simd hash = multiply(a, PRIME64_1);
+  u128 hash = multiply(a, PRIME64_1);
   hash.low += (uint64_t)(n - 1) << 54;
   hash.high += b + (b & 0xffffffffu) * (PRIME32_2 - 1);
   hash.low ^= swap64(hash.high);
-  const simd product = multiply(hash.low, PRIME64_2);
+  const u128 product = multiply(hash.low, PRIME64_2);
   hash.low = avalanche(product.low);
   hash.high = avalanche(product.high + hash.high * PRIME64_2);
   return hash;
@@ -113,13 +113,14 @@ static uint64_t mix_step(const unsigned char *data, size_t at) {
   return fold(read64(data) ^ read64(secret + at), read64(data + 8) ^ read64(secret + at + 8));
 }
 
-static void mix_two(simd *sum, const unsigned char *one, const unsigned char *two, size_t at) {
+static void mix_two(u128 *sum, const unsigned char *one, const unsigned char *two, size_t at) {
   sum->low = (sum->low + mix_step(one, at)) ^ (read64(two) + read64(two + 8));
   sum->high = (sum->high + mix_step(two, at + 16)) ^ (read64(one) + read64(one + 8));
 }
 
-static simd hash_17_to_240(const unsigned char *in, size_t n) {
-  simd sum = {(uint64_t)n * PRIME64_1, 0};
+/* Inputs of 17 to 128 bytes mix from both ends; up to 240 bytes, in order. */
+static u128 hash_17_to_240(const unsigned char *in, size_t n) {
+  u128 sum = {(uint64_t)n * PRIME64_1, 0};
   if (n <= 128) {
     for (size_t i = (n - 1) / 32 + 1; i-- > 0;) {
       mix_two(&sum, in + 16 * i, in + n - 16 * i - 16, 32 * i);
@@ -134,7 +135,7 @@ static simd hash_17_to_240(const unsigned char *in, size_t n) {
     mix_two(&sum, in + n - 16, in + n - 32, 103);
   }
   const uint64_t high = sum.low * PRIME64_1 + sum.high * PRIME64_4 + (uint64_t)n * PRIME64_2;
-  const simd hash = {avalanche(sum.low + sum.high), 0 - avalanche(high)};
+  const u128 hash = {avalanche(sum.low + sum.high), 0 - avalanche(high)};
   return hash;
 }
 
@@ -154,7 +155,8 @@ static uint64_t merge(const uint64_t sums[8], uint64_t start, size_t at) {
   return avalanche(start);
 }
 
-static simd hash_long(const unsigned char *in, size_t n) {
+/* Inputs above 240 bytes: blocks of stripes, then the last, overlapping stripe. */
+static u128 hash_long(const unsigned char *in, size_t n) {
   uint64_t sums[8] = {PRIME32_3, PRIME64_1, PRIME64_2, PRIME64_3,
                       PRIME64_4, PRIME32_2, PRIME64_5, PRIME32_1};
   const unsigned char *block = in;
@@ -167,19 +169,19 @@ static simd hash_long(const unsigned char *in, size_t n) {
   }
   for (size_t i = 0; i < (left - 1) / STRIPE; i++) add_stripe(sums, block + STRIPE * i, 8 * i);
   add_stripe(sums, in + n - STRIPE, SECRET - 71);
-  const simd hash = {merge(sums, (uint64_t)n * PRIME64_1, 11),
+  const u128 hash = {merge(sums, (uint64_t)n * PRIME64_1, 11),
                      merge(sums, ~((uint64_t)n * PRIME64_2), SECRET - 75)};
   return hash;
 }
 
-static simd hash_empty(void) {
-  const simd hash = {avalanche_xxh64(read64(secret + 64) ^ read64(secret + 72)),
+static u128 hash_empty(void) {
+  const u128 hash = {avalanche_xxh64(read64(secret + 64) ^ read64(secret + 72)),
                      avalanche_xxh64(read64(secret + 80) ^ read64(secret + 88))};
   return hash;
 }
 
 void rot_hash(const unsigned char *bytes, size_t n, char hash[ROT_HASH_SIZE]) {
-  const simd h = n == 0     ? hash_empty()
+  const u128 h = n == 0     ? hash_empty()
                  : n <= 3   ? hash_1_to_3(bytes, n)
                  : n <= 8   ? hash_4_to_8(bytes, n)
                  : n <= 16  ? hash_9_to_16(bytes, n)

@@ -8,7 +8,8 @@
 
 #define ROT_HASH_SIZE 33 /* 32 hexadecimal digits, with the end */
 
-/* The higher half first, as xxhsum -H2 prints it. The same on machines of either byte order. */
+/* n bytes => 32 hexadecimal digits, the higher half first, as xxhsum -H2 prints them. Independent
+ * of the byte order of the machine. */
 void rot_hash(const unsigned char *bytes, size_t n, char hash[ROT_HASH_SIZE]);
 
 #endif

@@ -1,5 +1,5 @@
-/* Refuses compilers that do not follow IEEE 754. Every file sees this header: the error bounds rest
- * on infinities, NaN, signed zeros and sums in the order of the text. Contraction of a * b + c is
+/* Rejects compilers that do not follow IEEE 754. Every file includes this header: the error bounds
+ * need infinities, NaN, signed zeros and sums in the order of the text. Contraction of a * b + c is
  * switched off by -ffp-contract=off (configure, Makevars.win, tools/library.sh) and here, where the
  * compiler knows the pragma. */
 #ifndef ROT_IEEE_H

@@ -1,9 +1,9 @@
-/* Two doubles in a register, where the compiler has vector types. At -O2 it vectorises few loops
+/* Registers of two doubles, if the compiler has vector types. At -O2 it vectorises few loops
  * itself: 38 against 19 ns a row for the phi functions, 13 against 6 for the rolling table.
  *
- * A file that first defines ROT_WIDE gets registers of four (ground/simd.h), one that defines
- * ROT_ALONE plain doubles. All lanes go through the same operations, so the width changes no bit.
- * Arithmetic takes a number for a register of equal ones. */
+ * A file that first defines ROT_SIMD gets registers of four (ground/simd.h); ROT_ALONE gives plain
+ * doubles. All lanes use the same operations, so results do not depend on the width. In arithmetic
+ * a number stands for a register with that number in all lanes. */
 #ifndef ROT_PAIR_H
 #define ROT_PAIR_H
 
@@ -53,6 +53,7 @@ typedef double rot_pair __attribute__((vector_size(ROT_PAIR * sizeof(double))));
 typedef unsigned long long rot_bits __attribute__((vector_size(ROT_PAIR * sizeof(double))));
 #endif
 
+/* ROT_PAIR numbers from any address */
 ROT_INLINE rot_pair rot_load(const double *x) {
   rot_pair pair;
   memcpy(&pair, x, sizeof pair);
@@ -61,6 +62,7 @@ ROT_INLINE rot_pair rot_load(const double *x) {
 
 ROT_INLINE void rot_store(double *x, rot_pair pair) { memcpy(x, &pair, sizeof pair); }
 
+/* Bits of each lane as an integer, and back. */
 ROT_INLINE rot_bits rot_bits_of(rot_pair pair) {
   rot_bits bits;
   memcpy(&bits, &pair, sizeof bits);
@@ -73,7 +75,7 @@ ROT_INLINE rot_pair rot_pair_of(rot_bits bits) {
   return pair;
 }
 
-/* For one number by the text of a kernel: of a register of equal ones. */
+/* The first lane: the result of a kernel that is called for one number. */
 ROT_INLINE double rot_first(rot_pair pair) {
   double x;
   memcpy(&x, &pair, sizeof x);
@@ -118,7 +120,7 @@ ROT_INLINE rot_pair rot_pair_if_more(rot_pair p, rot_pair q, rot_pair x, rot_pai
 #endif
 }
 
-/* The larger of two; a NaN in x is ignored, a NaN in y is returned (maxpd). */
+/* The larger of x and y; a NaN in x is ignored, a NaN in y is returned (maxpd). */
 ROT_INLINE rot_pair rot_pair_max(rot_pair x, rot_pair y) {
 #ifdef ROT_SIMD
   return _mm256_max_pd(x, y);
@@ -162,11 +164,11 @@ ROT_INLINE rot_pair rot_pair_decay(rot_pair x) {
   return rot_pair_of(rot_bits_of(e) + (rot_bits_of(shifted) << 52));
 }
 
-/* x = m 2^k with 1/sqrt(2) <= m < sqrt(2), for normal x > 0: the constant shifts the bits so that
- * the exponent changes at sqrt(2). */
+/* x => m, k with x = m 2^k and 1/sqrt(2) <= m < sqrt(2), for normal x > 0. The constant shifts the
+ * bits so that the exponent changes at sqrt(2). */
 ROT_INLINE rot_pair rot_pair_split(rot_pair x, rot_pair *k) {
   const unsigned long long one = 0x3ffULL << 52;
-  const unsigned long long turn = 0x95f62ULL << 32; /* upper half of 1 less that of 1/sqrt(2) */
+  const unsigned long long turn = 0x95f62ULL << 32; /* upper half of 1 minus that of 1/sqrt(2) */
   const rot_bits bits = rot_bits_of(x) + turn;
   *k = rot_pair_of((bits >> 52) | rot_bits_of(ROT_BOTH(0x1p52))) - (0x1p52 + 1023.0);
   return rot_pair_of((bits & ((1ULL << 52) - 1)) + (one - turn));

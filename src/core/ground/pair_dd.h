@@ -1,5 +1,5 @@
-/* Double-double numbers (ground/dd.h) in each lane of a register (ground/pair.h): the same relative
- * error of 2^-102 for each operation. Products of 1e-290 and less lose their second part.
+/* Double-double numbers (ground/dd.h) in each lane of a register (ground/pair.h), with the same
+ * relative error of 2^-102 per operation. Products below 1e-290 lose their second part.
  *
  * Reference: Joldes, Muller & Popescu, ACM TOMS 44 (2017); Lefevre, Louvet, Muller, Picot &
  * Rideau, ACM TOMS 49 (2023) (the root). */
@@ -13,21 +13,23 @@ typedef struct rot_pair_dd {
   rot_pair hi, lo;
 } rot_pair_dd;
 
+/* x => x + 0 */
 ROT_INLINE rot_pair_dd rot_pair_dd_of(rot_pair x) { return (rot_pair_dd){x, ROT_BOTH(0.0)}; }
 
-/* a + b where |a| >= |b| or a is 0. */
+/* (a, b) => a + b, for |a| >= |b| or a = 0 */
 ROT_INLINE rot_pair_dd rot_pair_dd_quick(rot_pair a, rot_pair b) {
   const rot_pair s = a + b;
   return (rot_pair_dd){s, b - (s - a)};
 }
 
+/* (a, b) => a + b, exact */
 ROT_INLINE rot_pair_dd rot_pair_dd_sum2(rot_pair a, rot_pair b) {
   const rot_pair s = a + b, bb = s - a;
   return (rot_pair_dd){s, (a - (s - bb)) + (b - bb)};
 }
 
-/* Where fma() is a call, by Dekker's product of halves: both parts are exact, so the bits are the
- * same. */
+/* (a, b) => a b, exact. Without a fast fma(): Dekker's product of halves, also exact, so the bits
+ * are the same. */
 ROT_INLINE rot_pair_dd rot_pair_dd_mul2(rot_pair a, rot_pair b) {
   const rot_pair p = a * b;
 #ifdef ROT_SIMD_FMA
@@ -52,7 +54,7 @@ ROT_INLINE rot_pair_dd rot_pair_dd_add(rot_pair_dd a, rot_pair_dd b) {
   return rot_pair_dd_quick(s.hi, s.lo + t.lo);
 }
 
-/* Where a + b is not much smaller than |a| + |b|. */
+/* (a, b) => a + b, where |a + b| is not much smaller than |a| + |b| */
 ROT_INLINE rot_pair_dd rot_pair_dd_plus(rot_pair_dd a, rot_pair_dd b) {
   const rot_pair_dd s = rot_pair_dd_sum2(a.hi, b.hi);
   return rot_pair_dd_quick(s.hi, s.lo + (a.lo + b.lo));
@@ -76,7 +78,7 @@ ROT_INLINE rot_pair_dd rot_pair_dd_mul1(rot_pair_dd a, rot_pair b) {
   return rot_pair_dd_quick(p.hi, p.lo + a.lo * b);
 }
 
-/* By a power of two. */
+/* (a, by) => a times a power of two */
 ROT_INLINE rot_pair_dd rot_pair_dd_scale(rot_pair_dd a, double by) {
   return (rot_pair_dd){a.hi * by, a.lo * by};
 }
@@ -87,7 +89,7 @@ ROT_INLINE rot_pair_dd rot_pair_dd_div(rot_pair_dd a, rot_pair_dd b) {
   return rot_pair_dd_quick(q, ((a.hi - p.hi) + (a.lo - p.lo)) / b.hi);
 }
 
-/* Of numbers > 0. */
+/* a => sqrt(a), a > 0 */
 ROT_INLINE rot_pair_dd rot_pair_dd_sqrt(rot_pair_dd a) {
   const rot_pair x = rot_pair_sqrt(a.hi);
   const rot_pair_dd p = rot_pair_dd_mul2(x, x);

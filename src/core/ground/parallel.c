@@ -8,8 +8,8 @@
 #endif
 
 #if defined(_OPENMP) && !defined(_WIN32)
-/* The process that started threads first. In a child forked from it the threads do not exist, and
- * OpenMP of GCC waits for them for good. */
+/* Id of the process that first started threads. A forked child has no such threads, and GCC's
+ * OpenMP would wait for them forever. */
 static long threads_of = 0;
 
 static int may_use_threads(void) {
@@ -30,13 +30,15 @@ int rot_parallel_threads(void) {
 #endif
 }
 
-typedef struct fraction {
+typedef struct job {
   rot_parallel_worker work;
   const void *frame;
-  size_t n, part, next; /* next: the first row that nobody took */
+  size_t n;    /* rows */
+  size_t part; /* rows of a part */
+  size_t next; /* first row that no thread has taken */
   const rot_hooks *hooks;
   rot_status status; /* of the last poll */
-} fraction;
+} job;
 
 #ifdef _OPENMP
 #define ATOMIC(how) _Pragma(#how)
@@ -44,11 +46,11 @@ typedef struct fraction {
 #define ATOMIC(how)
 #endif
 
-/* Takes part by part until none is left or a poll stops it. A part that was taken is done, so that
- * all rows before `next` are done at the end. One region for all parts: at the end of each region
- * the threads that wait burn processor time (1e6 inclines on two threads: 160 ms in regions of
- * 65,536 rows, 80 ms in one). */
-static void take_parts(fraction *s, int polls) {
+/* Computes parts until none is left or a poll stops the job. A part taken is completed, so all rows
+ * before `next` are done at the end. One parallel region for all parts: threads that wait at the
+ * end of a region use processor time (1e6 inclines on two threads: 160 ms in regions of 65,536
+ * rows, 80 ms in one). */
+static void take_parts(job *s, int polls) {
   for (;;) {
     rot_status status;
     size_t first;
@@ -69,11 +71,11 @@ static void take_parts(fraction *s, int polls) {
   }
 }
 
-/* Only the thread that called polls: the hooks may speak to R. */
+/* Only the calling thread polls: the hooks may call R. */
 rot_status rot_parallel_rows(rot_parallel_worker work, const void *frame, size_t n, size_t part,
                              int threads, const rot_hooks *hooks, rot_info *info) {
   const int max = rot_parallel_threads();
-  fraction s = {work, frame, n, part, 0, hooks, ROT_OK};
+  job s = {work, frame, n, part, 0, hooks, ROT_OK};
   if (threads < 1 || threads > max) threads = max;
   if (n <= part || (threads > 1 && !may_use_threads())) threads = 1;
   rot_info_clear(info, NULL);

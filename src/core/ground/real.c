@@ -5,7 +5,7 @@
 #include "ground/dd.h"
 
 double rot_muldiv(double a, double b, double c, double *lo) {
-  int ea = 0, eb = 0, ec = 0; /* frexp() of NaN and Inf may leave them alone */
+  int ea = 0, eb = 0, ec = 0; /* frexp() of NaN and Inf may not set them */
   double ma = frexp(a, &ea), mb = frexp(b, &eb), mc = frexp(c, &ec), p_lo;
   double p = rot_two_prod(ma, mb, &p_lo), q = p / mc;
   int e = ea + eb - ec;
@@ -50,14 +50,14 @@ double rot_sum_product(double first, int n, const double x[], double *lo) {
   return all;
 }
 
-/* Reduces to r in [-45, 45] degrees, exactly, then to radians x + *x_lo, with pi/180 to 106 bits.
- * Returns the quadrant. */
+/* deg => quadrant, remainder in rad *x + *x_lo. The remainder in degrees, in [-45, 45], is exact;
+ * pi/180 has 106 bits. */
 static int reduce_deg(double deg, double *x, double *x_lo) {
   const double hi = 0x1.1df46a2529d39p-6, lo = 0x1.5c1d8becdd291p-62;
-  int quadrant = 0; /* remquo() of NaN and Inf may leave it alone */
+  int quadrant = 0; /* remquo() of NaN and Inf may not set it */
   double r = deg;
   if (fabs(deg) > 45.0) {
-    if (fabs(deg) <= 90.0) { /* slopes: without remquo(), which takes 20 ns */
+    if (fabs(deg) <= 90.0) { /* angles of inclines: remquo() would take 20 ns */
       quadrant = deg > 0.0 ? 1 : -1;
       r = deg > 0.0 ? deg - 90.0 : deg + 90.0;
     } else {
@@ -69,7 +69,7 @@ static int reduce_deg(double deg, double *x, double *x_lo) {
   return quadrant & 3;
 }
 
-/* The derivative times x_lo needs a few digits only. */
+/* sin of quadrant and remainder; the derivative that multiplies x_lo needs only a few digits. */
 static double quarter_sin(int quadrant, double x, double x_lo) {
   double s =
       quadrant & 1 ? cos(x) - x * (1.0 - x * x / 6.0) * x_lo : sin(x) + (1.0 - x * x / 2.0) * x_lo;
@@ -88,7 +88,7 @@ double rot_cos_deg(double deg) {
   return quarter_sin((quadrant + 1) & 3, x, x_lo);
 }
 
-/* The same bits; one reduction, and one call where the compiler joins sine and cosine. */
+/* The same bits as the two functions above, with one reduction. */
 void rot_sin_cos_deg(double deg, double *sine, double *cosine) {
   double x, x_lo;
   const int quadrant = reduce_deg(deg, &x, &x_lo);

@@ -1,4 +1,4 @@
-/* Binary searches in n increasing numbers (equal ones allowed). A NaN for t finds 0. */
+/* Binary searches in n non-decreasing numbers. The result for t = NaN is 0. */
 #ifndef ROT_SEARCH_H
 #define ROT_SEARCH_H
 
@@ -6,7 +6,7 @@
 
 #include "ground/ieee.h"
 
-/* The number of x[i] < t or, with `or_equal`, <= t: the index of the first that is not. */
+/* (x, t) => number of x[i] < t or, with `or_equal`, x[i] <= t */
 static inline size_t rot_bound(size_t n, const double x[], double t, int or_equal) {
   size_t lo = 0, hi = n;
   while (lo < hi) {

@@ -1,7 +1,7 @@
-/* Registers of four doubles, where processor and compiler have them (AVX2). A kernel that is
- * written with ground/pair.h is compiled for two doubles by the file that calls it, and for four by
- * a file of its own: one that defines ROT_WIDE under ROT_WIDE_CAN before it includes the kernel.
- * The operations are the same lane by lane, and so are the bits. */
+/* Registers of four doubles (AVX2), if processor and compiler support them. A kernel written with
+ * ground/pair.h is compiled twice: for two doubles in the file that calls it, for four in a
+ * separate file that defines ROT_SIMD under ROT_SIMD_CAN before it includes the kernel. Each lane
+ * has the same operations, and so the same bits. */
 #ifndef ROT_SIMD_H
 #define ROT_SIMD_H
 
@@ -14,11 +14,11 @@
 
 enum { ROT_SIMD_PAIR = 4 };
 
-/* Whether kernels for registers of four may be called. */
+/* 1 if kernels for registers of four may be called. */
 int rot_simd_ok(void);
-/* The same for kernels that also call fused multiply-adds (ROT_WIDE_FMA). */
+/* 1 if kernels that also use fused multiply-adds (ROT_SIMD_FMA) may be called. */
 int rot_simd_fma_ok(void);
-/* For tests: 0 forbids them, 1 allows them where they can run. */
+/* For tests: 0 forbids both kinds, 1 allows them where they can run. */
 void rot_simd_allow(int allowed);
 
 #endif

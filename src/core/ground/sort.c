@@ -7,7 +7,7 @@ static int by_size(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
-/* Most come in order: knots, rows. */
+/* Most inputs (knots, rows) are sorted already. */
 void rot_sort(size_t n, double x[]) {
   size_t sorted = 1;
   while (sorted < n && x[sorted - 1] <= x[sorted]) sorted++;

@@ -1,4 +1,4 @@
-/* Numbers in order. */
+/* Sorting of numbers. */
 #ifndef ROT_SORT_H
 #define ROT_SORT_H
 
@@ -6,9 +6,9 @@
 
 #include "ground/ieee.h"
 
-/* Increasing, in place; no NaN among them. */
+/* Sorts x, without NaN, in increasing order in place. */
 void rot_sort(size_t n, double x[]);
-/* Each value once, increasing; how many they are. */
+/* Sorts x and removes repeated values; returns the number kept. */
 size_t rot_sort_once(size_t n, double x[]);
 
 #endif

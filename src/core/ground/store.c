@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* In front of each block; as strictly aligned as any type that is stored. */
+/* Header of each block, aligned as strictly as any type stored. */
 typedef union head {
   void *before;
   double number;

@@ -1,4 +1,4 @@
-/* Memory that is freed at once: what an object and its parts are built of. */
+/* Memory of an object and its parts, freed in one call. */
 #ifndef ROT_STORE_H
 #define ROT_STORE_H
 
@@ -6,16 +6,15 @@
 
 #include "ground/ieee.h"
 
-/* Begin with {0}: blocks of calloc(), which rot_store_free() frees. A caller whose own memory is
- * freed elsewhere sets `take`: so many bytes, or NULL. */
+/* Begin with {0}. */
 typedef struct rot_store {
-  void *last;
-  void *(*take)(size_t bytes);
+  void *last;                  /* last block of calloc() */
+  void *(*take)(size_t bytes); /* NULL, or an allocator whose memory the caller frees */
 } rot_store;
 
-/* n elements of a size, all bits 0; NULL: no memory, or n * size is beyond size_t. */
+/* => n elements of `size` bytes, all bits 0; NULL: no memory, or n * size exceeds size_t */
 void *rot_store_get(rot_store *store, size_t n, size_t size);
-/* All of it; the store may be used again. */
+/* Frees all blocks of calloc(); the store may be used again. */
 void rot_store_free(rot_store *store);
 
 #endif

@@ -15,7 +15,7 @@ int rot_text_number(double x, char text[ROT_TEXT_SIZE]) {
       snprintf(text, ROT_TEXT_SIZE, "%.*g", digits, x);
       if (digits == 17 || strtod(text, NULL) == x) break;
     }
-    /* strtod() above read the locale's decimal point. */
+    /* Replaces the locale's decimal point, which strtod() above needed. */
     char *point = text + strcspn(text, "0123456789") + 1;
     const size_t other = strcspn(point, "0123456789e");
     if (other > 0 && *point != '.') {
@@ -27,7 +27,7 @@ int rot_text_number(double x, char text[ROT_TEXT_SIZE]) {
 }
 
 size_t rot_text_string(const char *string, char *text) {
-  static const char escapes[] = "\"\"\\\\\nn\rr\tt"; /* a character and its name, in turn */
+  static const char escapes[] = "\"\"\\\\\nn\rr\tt"; /* pairs: a character, its escape letter */
   char *at = text;
   *at++ = '"';
   for (; *string != '\0'; string++) {

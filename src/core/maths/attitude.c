@@ -11,7 +11,7 @@ int rot_attitude_numbers(rot_attitude_form form) {
 
 /* ---- vectors --------------------------------------------------------------------------------- */
 
-/* Length of n numbers, without over- or underflow. */
+/* n numbers => their length, without over- or underflow */
 static double length_of(int n, const double x[]) {
   double max = 0.0, sum = 0.0;
   int e;
@@ -20,7 +20,7 @@ static double length_of(int n, const double x[]) {
     max = fmax(max, fabs(x[i]));
   }
   if (max == 0.0 || isinf(max)) return max;
-  if (max > 1e-100 && max < 1e100) { /* the bits of the sum below */
+  if (max > 1e-100 && max < 1e100) { /* same bits as the scaled sum below */
     for (int i = 0; i < n; i++) sum += x[i] * x[i];
     return sqrt(sum);
   }
@@ -81,9 +81,9 @@ void rot_attitude_to_body(const double q[4], const double v[3], double out[3]) {
   turn(q[0], -q[1], -q[2], -q[3], v, out);
 }
 
-/* ---- the rotation between two ---------------------------------------------------------------- */
+/* ---- rotation between two attitudes ---------------------------------------------------------- */
 
-/* p* q. */
+/* (p, q) => p* q, the rotation from p to q */
 static void from_to(const double p[4], const double q[4], double out[4]) {
   const double back[4] = {p[0], -p[1], -p[2], -p[3]};
   rot_attitude_times(back, q, out);
@@ -107,9 +107,9 @@ void rot_attitude_slerp(const double p[4], const double q[4], double fraction, d
   (void)rot_attitude_unit(out);
 }
 
-/* ---- quaternions of other forms -------------------------------------------------------------- */
+/* ---- other forms => quaternions -------------------------------------------------------------- */
 
-/* cos(angle/2), sin(angle/2) axis/length. */
+/* (axis, angle) => cos(angle/2), sin(angle/2) axis/length */
 static void about(const double axis[3], double length, double angle, double q[4]) {
   const double sine = sin(0.5 * angle);
   q[0] = cos(0.5 * angle);
@@ -126,7 +126,7 @@ static void from_vector(const double x[3], double q[4]) {
   }
 }
 
-/* (1 - s^2, 2 s)/(1 + s^2); beyond length 1 by the shadow -s/s^2, the same attitude. */
+/* s => (1 - s^2, 2 s)/(1 + s^2); for |s| > 1 from the shadow set -s/s^2, the same attitude */
 static void from_rodrigues(const double x[3], double q[4]) {
   const double s = length_of(3, x), inner = s > 1.0 ? 1.0 / s : s;
   const double half = 2.0 * atan(inner);
@@ -148,8 +148,8 @@ static void from_euler(const double x[3], const rot_euler *sequence, double q[4]
   for (int i = 0; i < 4; i++) q[i] = p[i];
 }
 
-/* The largest element of |R'R - 1|; Inf for a reflection. `nearest` is a Newton step closer to an
- * orthogonal matrix. */
+/* R => max element of |R'R - 1|, Inf for a reflection; `nearest`: R after one Newton step towards
+ * an orthogonal matrix */
 static double off_rotation(const double r[9], double nearest[9]) {
   double off = 0.0, square[9];
   for (int i = 0; i < 3; i++) {
@@ -170,7 +170,8 @@ static double off_rotation(const double r[9], double nearest[9]) {
   return isnan(det) ? NAN : det > 0.0 ? off : INFINITY;
 }
 
-/* Shepperd: the largest of the four squares first, so that nothing cancels in the divisor. */
+/* R => q, error of R that was corrected (0 within rounding). Shepperd: the largest of the four
+ * squares is the divisor, so that it does not cancel. */
 static double from_matrix(const double x[9], double q[4]) {
   double near[9];
   const double off = off_rotation(x, near), *r = off > 16.0 * ROT_EPS ? near : x;
@@ -213,9 +214,9 @@ double rot_attitude_from(rot_attitude_form form, const double x[], const rot_eul
   return off <= 8.0 * ROT_EPS ? 0.0 : off;
 }
 
-/* ---- other forms of quaternions -------------------------------------------------------------- */
+/* ---- quaternions => other forms -------------------------------------------------------------- */
 
-/* The one of q and -q with w >= 0; of a half turn that with its first other component positive. */
+/* q => q or -q such that the first component that is not 0 is positive */
 static void near_side(const double q[4], double out[4]) {
   double sign = q[0] < 0.0 ? -1.0 : 1.0;
   for (int i = 0, known = q[0] != 0.0; i < 4 && !known; i++) {
@@ -239,9 +240,9 @@ static double to_half_turn(double angle) {
   return angle > pi ? angle - 2.0 * pi : angle < -pi ? angle + 2.0 * pi : angle;
 }
 
-/* About the axes of space; an intrinsic sequence is the reverse one about them. (a, b) and (c, d)
- * are the parts of q that the sum and the difference of the outer angles turn; the lengths of both
- * give the middle angle, each with its own digits where it is small. */
+/* q => angles x; returns gimbal lock. Computed about the axes of space: an intrinsic sequence is
+ * the reverse sequence about them. The arguments of (a, b) and (c, d) are half the sum and half the
+ * difference of the outer angles; their lengths give the middle angle, accurate also if small. */
 static int to_euler(const double q[4], const rot_euler *sequence, double x[3]) {
   const int first = sequence->intrinsic ? 2 : 0;
   const int i = sequence->axis[first], j = sequence->axis[1];
@@ -253,9 +254,9 @@ static int to_euler(const double q[4], const rot_euler *sequence, double x[3]) {
   const double sum = hypot(a, b), difference = hypot(c, d);
   double half_sum = atan2(b, a), half_difference = atan2(d, c), one, three;
   const double none = 4.0 * ROT_EPS;
-  if (difference <= none || sum <= none) { /* one of both is not known: the third angle is 0 */
+  if (difference <= none || sum <= none) { /* sum or difference is undetermined: third angle 0 */
     const double both = difference <= none ? 2.0 * half_sum : -2.0 * half_difference;
-    /* The angle first in the caller's order carries both. */
+    /* The first angle in the caller's order gets the whole rotation. */
     one = sequence->intrinsic ? 0.0 : both;
     three = sequence->intrinsic ? (difference <= none ? both : -both) : 0.0;
   } else {

@@ -20,46 +20,48 @@ typedef enum rot_attitude_form {
 
 enum { ROT_FORM_MAX = 9 };
 
-/* How many numbers a form has. */
+/* form => count of its numbers */
 int rot_attitude_numbers(rot_attitude_form form);
 
-/* Axes 0, 1, 2 of three rotations, neighbours different; about the body's axes (intrinsic: each
- * turns with those before), or about those of space. */
+/* A sequence of three rotations. */
 typedef struct rot_euler {
-  int axis[3];
-  int intrinsic;
+  int axis[3];   /* 0, 1, 2; neighbours differ */
+  int intrinsic; /* 1: about axes that turn with the body; 0: about the axes of space */
 } rot_euler;
 
-/* Unit quaternion of an attitude in some form, to a few roundings. Returned: what was corrected, 0
- * where nothing was: |length - 1| of a quaternion, the largest element of |R'R - 1| of a matrix
- * (Inf for a reflection). A zero quaternion or axis gives NaN. `sequence` is for Euler angles. */
+/* (form, numbers x) => unit quaternion to a few roundings, size of the correction. The correction
+ * is |length - 1| of a quaternion, the max element of |R'R - 1| of a matrix (Inf for a reflection),
+ * else 0. A zero quaternion or axis gives NaN. `sequence` is for Euler angles. */
 double rot_attitude_from(rot_attitude_form form, const double x[], const rot_euler *sequence,
                          double q[4]);
 
-/* Euler angles: the middle one is closer than this (rad) to where the others are not unique. */
+/* Gimbal lock: the middle Euler angle is closer than this (rad) to a value at which the other two
+ * are not unique. */
 #define ROT_GIMBAL_LOCK 1e-7
 
-/* The numbers of a form, of a unit quaternion. Angles of rotation are 0 to pi, Rodrigues parameters
- * at most 1 in length, Euler angles -pi to pi, the middle one -pi/2 to pi/2, or 0 to pi where the
- * first and the third axis are the same. The axis of no rotation is x. Returned: gimbal lock; at
- * the lock itself the third angle is 0. */
+/* (form, unit quaternion) => numbers x, gimbal lock. Angles of rotation are 0 to pi, Rodrigues
+ * parameters at most 1 in length, Euler angles -pi to pi, the middle one -pi/2 to pi/2, or 0 to pi
+ * if the first and the third axis are equal. The axis of a rotation by 0 is x. At an exact gimbal
+ * lock the third angle is 0. */
 int rot_attitude_to(rot_attitude_form form, const double q[4], const rot_euler *sequence,
                     double x[]);
 
-/* Scales to unit length; returns the length before. Without over- or underflow; NaN of zeros. */
+/* Normalizes q in place; returns its length before. No over- or underflow; zeros become NaN. */
 double rot_attitude_unit(double q[4]);
 
-/* p q: first q, then p. `out` may be one of them. */
+/* (p, q) => p q, the rotation q followed by p; `out` may be p or q */
 void rot_attitude_times(const double p[4], const double q[4], double out[4]);
 
-/* q v q*, and q* v q: of a unit quaternion. */
+/* (unit q, v in the body's axes) => q v q*, v in the axes of space */
 void rot_attitude_to_space(const double q[4], const double v[3], double out[3]);
+/* (unit q, v in the axes of space) => q* v q, v in the body's axes */
 void rot_attitude_to_body(const double q[4], const double v[3], double out[3]);
 
-/* The angle of the rotation from p to q, 0 to pi. */
+/* (p, q) => angle of the rotation from p to q, 0 to pi rad */
 double rot_attitude_angle(const double p[4], const double q[4]);
 
-/* The rotation from p to q by a constant rate, the short way; at 0 p, at 1 q or -q. */
+/* (p, q, fraction) => attitude on the shortest rotation from p (0) to q or -q (1) at constant rate
+ */
 void rot_attitude_slerp(const double p[4], const double q[4], double fraction, double out[4]);
 
 #endif

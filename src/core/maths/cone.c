@@ -8,25 +8,28 @@
 
 enum { ROWS = ROT_CONE_ROWS, MAX_STEPS = 400 };
 
-/* Beyond it friction is that of a half-space: so says the linear program, too. */
+/* Larger friction is treated as infinite (a half-space), as in the linear program. */
 static const double rough = 1e6;
 
-/* Factors on |c| beyond which no x is looked for: at once, and after 100 steps, when y grows slowly
- * for the rounding of the Jacobian. */
+/* Bounds on |x|/|c| for "no solution": in the first 100 steps and later, when rounding of the
+ * Jacobian makes y grow slowly. */
 static const double beyond = 1e13, late = 1e8;
 
-/* What blur may leave of an equation, of |c|. */
+/* Max residual of an equation that `blur` may allow, relative to |c|. */
 static const double max_blur = 1e-9;
 
 static rot_dd zero(void) { return (rot_dd){0.0, 0.0}; }
 
 /* ---- the cone ------------------------------------------------------------------------------- */
 
-/* The unit normal to twice the precision; push and force across it, and its size. */
 typedef struct contact {
-  rot_dd normal[3], push, across[3], size;
+  rot_dd normal[3]; /* unit normal, to twice the precision */
+  rot_dd push;      /* component along it */
+  rot_dd across[3]; /* tangential part */
+  rot_dd size;      /* |across| */
 } contact;
 
+/* (part, z) => normal and tangential components of z in that part */
 static contact contact_of(const rot_cone_part *part, const rot_dd z[]) {
   contact out;
   rot_dd square = zero(), length;
@@ -46,7 +49,7 @@ static contact contact_of(const rot_cone_part *part, const rot_dd z[]) {
   return out;
 }
 
-/* INSIDE: unchanged; APEX: 0; SIDE: the nearest point of the surface. */
+/* Projection on the cone: z itself, 0, or a point of the surface. */
 typedef enum place { INSIDE, APEX, SIDE } place;
 
 static place place_of(const rot_cone_part *part, const contact *at) {
@@ -55,6 +58,7 @@ static place place_of(const rot_cone_part *part, const contact *at) {
   return rot_dd_add(at->push, rot_dd_mul1(at->size, part->friction)).hi <= 0.0 ? APEX : SIDE;
 }
 
+/* Projects the elements of one part on its cone, in place. */
 static void nearest(const rot_cone_part *part, rot_dd x[]) {
   const double mu = part->friction;
   if (part->size == 1) {
@@ -80,7 +84,8 @@ void rot_cone_project(const rot_cone *cone, rot_dd x[]) {
   for (size_t p = 0; p < cone->parts; p++) nearest(&cone->part[p], x);
 }
 
-/* On the side: the normal and the way u across it change together, across u by the ratio. */
+/* Derivative of the projection of one part, applied to d in place. On the surface: components along
+ * the normal n and the tangential direction u change together; across u, by `ratio`. */
 static void derivative(const rot_cone_part *part, const rot_dd z[], double d[]) {
   if (part->size == 1) {
     if (z[part->first].hi < 0.0) d[part->first] = 0.0;
@@ -116,16 +121,19 @@ void rot_cone_derivative(const rot_cone *cone, const rot_dd z[], const double d[
 
 /* ---- Newton's method ------------------------------------------------------------------------ */
 
-/* y => z = B'y, x = P(z), residual B x - c, value |x|^2/2 - c.y. */
 typedef struct state {
-  rot_dd y[ROWS], gap[ROWS], value;
-  rot_dd *z, *x;
-  double size;   /* |gap| */
-  double excess; /* of the largest gap over what is allowed */
-  double norm;   /* |x| */
-  double gain;   /* c.y */
+  rot_dd y[ROWS];
+  rot_dd gap[ROWS]; /* residual B x - c */
+  rot_dd value;     /* |x|^2/2 - c.y */
+  rot_dd *z;        /* B'y */
+  rot_dd *x;        /* P(z) */
+  double size;      /* |gap| */
+  double excess;    /* max of |gap|/allowed residual */
+  double norm;      /* |x| */
+  double gain;      /* c.y */
 } state;
 
+/* s->y => the other members of s */
 static void evaluate(const rot_cone *cone, state *s) {
   const size_t m = cone->m, k = cone->k;
   rot_dd square = zero(), gain = zero();
@@ -157,7 +165,7 @@ static void evaluate(const rot_cone *cone, state *s) {
   s->gain = gain.hi;
 }
 
-/* d = -(B V B' + weight)^-1 gap, by eigenvectors. */
+/* (state, weight) => Newton direction d = -(B V B' + weight)^-1 gap, by eigenvectors */
 static rot_status direction_of(const rot_cone *cone, const state *s, double weight, double work[],
                                double d[ROWS]) {
   const size_t m = cone->m, k = cone->k;
@@ -200,8 +208,8 @@ static double advance(const rot_cone *cone, const state *from, const double d[],
   return rot_dd_sub(to->value, from->value).hi;
 }
 
-/* A step along d, shorter until the value falls by a part of what the slope says, or the gap falls
- * where the value is only rounding. Returns its length, 0 for none. */
+/* (from, direction d) => state `to`, step length (0: none). Backtracks until the value meets
+ * Armijo's condition, or until the residual halves where the value is at rounding level. */
 static double search(const rot_cone *cone, const state *from, const double d[], state *to) {
   double slope = 0.0;
   for (size_t i = 0; i < cone->m; i++) slope += from->gap[i].hi * d[i];
@@ -212,10 +220,11 @@ static double search(const rot_cone *cone, const state *from, const double d[], 
   return 0.0;
 }
 
+/* Newton steps from now->y to the solution, a proof that there is none, or MAX_STEPS. */
 static rot_status iterate(const rot_cone *cone, state *now, state *next, double work[],
                           rot_cone_result *result) {
   double weight = 1e-3, d[ROWS], reach = 0.0;
-  int more = 3; /* steps beyond what is allowed, for the last digits */
+  int more = 3; /* steps after the residual is allowed, for the last digits */
   for (size_t i = 0; i < cone->m; i++) reach = hypot(reach, cone->c[i].hi);
   *result = ROT_CONE_STOPPED;
   evaluate(cone, now);

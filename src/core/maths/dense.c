@@ -35,8 +35,8 @@ void rot_dense_free(rot_dense *d) {
   d->count = d->room = 0;
 }
 
-/* The next node outward from i that is not too near to it: steps that grew out of tiny ones would
- * magnify the rounding of their values (1e4 times for a growth of 5 a step). d->count: none. */
+/* i => next node outward at a distance of at least `min`, d->count for none. Closely spaced nodes
+ * beside long steps magnify the rounding of their values (1e4 times for a ratio of 5 per step). */
 static size_t next_node(const rot_dense *d, size_t i, int rightward, double min) {
   const double here = rot_dense_node(d, i)[0];
   while (rightward ? i + 1 < d->count : i > 0) {
@@ -46,6 +46,7 @@ static size_t next_node(const rot_dense *d, size_t i, int rightward, double min)
   return d->count;
 }
 
+/* Adds node i to the interpolation nodes, twice if its slope is used. */
 static void take_node(rot_dense_form *form, const rot_dense *d, size_t i, size_t component) {
   const double *node = rot_dense_node(d, i);
   const double z = (node[0] - form->start) / form->width;
@@ -66,7 +67,7 @@ rot_dense_form rot_dense_between(const rot_dense *d, size_t i, size_t component)
   form.fraction = 2 * each;
   take_node(&form, d, i, component);
   take_node(&form, d, i + 1, component);
-  /* Then outward in turn: the nearest first keeps the differences stable. */
+  /* Nodes on both sides in turn, nearest first: stable divided differences. */
   const double min = 0.25 * fabs(form.width);
   size_t left = next_node(d, i, 0, min), right = next_node(d, i + 1, 1, min), lefts = 0;
   for (size_t k = 2; k < max && (left < d->count || right < d->count); k++) {
@@ -80,7 +81,7 @@ rot_dense_form rot_dense_between(const rot_dense *d, size_t i, size_t component)
       right = next_node(d, at, 1, min);
     }
   }
-  /* Divided differences; at a twin node the first one is the slope, put there above. */
+  /* Divided differences; at a double node the first difference is the slope, set in take_node(). */
   double value[ROT_DENSE_TERMS];
   for (size_t k = 0; k < form.terms; k++) value[k] = form.c[k - (each == 2 ? k % 2 : 0)];
   for (size_t j = 1; j < form.terms; j++) {
@@ -94,14 +95,14 @@ rot_dense_form rot_dense_between(const rot_dense *d, size_t i, size_t component)
   return form;
 }
 
-/* Near the extremes of the slope of x^2 (1 - x)^2. */
+/* Close to the extrema of the slope of x^2 (1 - x)^2. */
 static const double correction_at[ROT_DENSE_CORRECTIONS] = {0.2113, 0.7887};
 
 double rot_dense_correction_at(const rot_dense_form *form) {
   return form->start + correction_at[form->corrections] * form->width;
 }
 
-/* The product over the terms so far, and its slope. */
+/* (form, x) => product of (x - z) over the terms, its derivative *rise */
 static double product_at(const rot_dense_form *form, double x, double *rise) {
   double product = 1.0;
   *rise = 0.0;
@@ -115,8 +116,7 @@ static double product_at(const rot_dense_form *form, double x, double *rise) {
 void rot_dense_correct(rot_dense_form *form, double slope) {
   const double x = correction_at[form->corrections];
   double now, rise;
-  if (form->corrections >
-      0) { /* the new term leaves the slope at the correction before unchanged */
+  if (form->corrections > 0) { /* the new term keeps the slope at the previous correction */
     const double before = correction_at[form->corrections - 1];
     form->terms--;
     const double product = product_at(form, before, &rise);
@@ -142,7 +142,8 @@ double rot_dense_at(const rot_dense_form *form, double t, double *slope, double 
     double before = 1.0, before_rise = 0.0;
     for (size_t k = 0; k < form->terms; k++) {
       if (k + form->fraction >= form->terms) {
-        /* The second correction has a zero half way, which says nothing of what is left there. */
+        /* The second correction is zero at the midpoint, where the error is not: half of the
+         * previous product instead. */
         const int half = form->corrections > 1;
         last += fabs(form->c[k] * (half ? 0.5 * before : product));
         last_rise +=

@@ -30,14 +30,14 @@ double rot_exp_split(double x, double x_lo, int *exponent) {
   return exp(rest);
 }
 
-/* (x - sin x)/x^3 for |x| <= 2, all digits */
+/* x => (x - sin x)/x^3 for |x| <= 2, to rounding */
 static double sine_gap(double x) {
   double s = 0.0;
   for (int n = 25; n >= 3; n -= 2) s = fma(-(x * x), s, rot_inverse_factorial[n]);
   return s;
 }
 
-/* phi_2(-z) for |z| <= 2 */
+/* (z, phi_1(-z)) => phi_2(-z) for |z| <= 2 */
 static double phi_2(double z, double phi1) {
   if (z > 1.0) return (1.0 - phi1) / z;
   double s = 0.0;
@@ -45,7 +45,7 @@ static double phi_2(double z, double phi1) {
   return s;
 }
 
-/* (re + i im)/(zr + i yr), where the larger of zr, yr is 1 */
+/* Element i of the wave: (re + i im)/(zr + i yr), where max(|zr|, |yr|) = 1. */
 static void divide(rot_divided_wave *wave, int i, double re, double im, double size, double zr,
                    double yr) {
   const double d = zr * zr + yr * yr;
@@ -58,7 +58,7 @@ static void divide(rot_divided_wave *wave, int i, double re, double im, double s
  * exp[0, -z, iy] = (phi_1(iy) - phi_1(-z))/(z + iy)
  *                = (z phi_2(-z) - y^2 (y - sin y)/y^3 + i (1 - cos y)/y)/(z + iy),
  *
- * the last form where both are small, since there the difference of the phi_1 cancels. */
+ * the last form for small z and y, where the difference of the phi_1 cancels. */
 rot_divided_wave rot_divided_wave_at(double z, double z_lo, double y, double y_lo,
                                      double y_over_z) {
   rot_divided_wave wave;

@@ -9,7 +9,7 @@
 
 enum { NOTHING = -1000000, LARGE = 300 };
 
-/* log2 |x|, rounded up; of 0 it is less than that of any other number. */
+/* x => log2 |x|, rounded up; for 0 less than for any other number */
 static int exponent(double x) {
   int e = 0;
   if (x == 0.0) return NOTHING;
@@ -22,7 +22,7 @@ static int max(int a, int b) { return a > b ? a : b; }
 
 static double scaled(double x, int e) { return ldexp(x, max(-5000, min(5000, e))); }
 
-/* (x + x_lo)/d 2^e, to twice the precision. */
+/* (x + x_lo, d, e) => (x + x_lo)/d 2^e, to twice the precision */
 static double ratio(double x, double x_lo, double d, int e, double *lo) {
   int ex = 0, ed = 0;
   const double mx = frexp(x, &ex), md = frexp(d, &ed), q = mx / md;
@@ -31,9 +31,9 @@ static double ratio(double x, double x_lo, double d, int e, double *lo) {
   return scaled(q, ex - ed + e);
 }
 
-/* Units in which the numbers that count are near 1. Time: the span, or the shorter time after
- * which nothing new happens; the rate: the larger of omega0 and what it comes to. What underflows
- * in such units is smaller than the rest by 1e-300 over the whole span. */
+/* Units in which the significant numbers are near 1. Time: the span, or the decay time if shorter.
+ * Rate: the larger of omega0 and the final rate. A term that underflows in these units is below
+ * 1e-300 of the rest over the whole span. */
 static void choose_units(const rot_drag_law *law, double omega0, double span_s, rot_drag *flow) {
   const int ei = exponent(law->inertia_kg_m2), ew = exponent(omega0);
   const int ea = exponent(law->drive_n_m) - ei, eb = exponent(law->viscous_n_m_s) - ei,
@@ -61,7 +61,7 @@ rot_drag rot_drag_from(const rot_drag_law *law, double omega0, double span_s) {
   flow.b = ratio(law->viscous_n_m_s, 0.0, I, p, &b_lo);
   flow.k = ratio(law->quadratic_n_m_s2, 0.0, I, p + q, &k_lo);
   flow.omega0 = scaled(omega0, -q);
-  /* D to twice the precision: where a < 0 the two parts may all but cancel. */
+  /* D to twice the precision: for a < 0 the two parts may nearly cancel. */
   const double bb = rot_two_prod(0.5 * flow.b, 0.5 * flow.b, &bb_lo);
   const double ak = rot_two_prod(flow.a, flow.k, &ak_lo);
   double d = rot_two_sum(bb, ak, &d_lo);
@@ -81,11 +81,13 @@ rot_drag rot_drag_from(const rot_drag_law *law, double omega0, double span_s) {
 
 /* ---- omega ---------------------------------------------------------------------------------- */
 
-/* In the units of the flow: omega, the sum of the terms added to it (over the same denominator),
- * the derivatives, and what theta shares with it. */
+/* In the units of the flow. */
 typedef struct parts {
-  double omega, terms, gain, reach;
-  double x, gone;      /* D > 0: 2 s t and 1 - exp(-2 s t) */
+  double omega;
+  double terms;        /* sum of the absolute terms of omega */
+  double gain;         /* derivative of omega by omega0 */
+  double reach;        /* derivative of theta by omega0 */
+  double x, gone;      /* D > 0: 2 s t and 1 - exp(-2 s t), also used for theta */
   double sine, cosine; /* else: sin(s t)/s and cos(s t) */
 } parts;
 
@@ -94,6 +96,7 @@ static void ratio_of(parts *out, double upper, double terms, double lower) {
   out->terms = terms / lower;
 }
 
+/* t => omega and its parts, D <= 0 */
 static parts turning(const rot_drag *f, double t, double t_lo) {
   parts out = {0};
   double y_lo, y = rot_two_prod(f->s, t, &y_lo);
@@ -109,6 +112,7 @@ static parts turning(const rot_drag *f, double t, double t_lo) {
   return out;
 }
 
+/* t => omega and its parts, D > 0 */
 static parts settling(const rot_drag *f, double t, double t_lo) {
   parts out = {0};
   double x_lo, x = rot_two_prod(2.0 * f->s, t, &x_lo);
@@ -127,7 +131,7 @@ static parts settling(const rot_drag *f, double t, double t_lo) {
     return out;
   }
   double e = exp(-x);
-  if (isfinite(x)) e -= e * x_lo; /* without the residual E is off by x/2 units of roundoff */
+  if (isfinite(x)) e -= e * x_lo; /* without the residual E has an error of x/2 roundoff units */
   const double gone = 1.0 - e, half = 0.5 * f->b / f->s;
   const double slow = f->rest * (f->k / f->s); /* 1 - b/(2 s) without the difference */
   const double lower = (1.0 + e) + f->slope / f->s * gone, driven = f->a / f->s * gone;
@@ -150,7 +154,7 @@ static const double ROUNDINGS = 12.0 * ROT_EPS;
 /* log1p(y)/y */
 static double log1p_over(double y) { return y != 0.0 ? log1p(y) / y : 1.0; }
 
-/* The closed forms; *terms is the sum of what is added, in units of 1 to be rounded. */
+/* Closed forms of theta; *terms: sum of the absolute terms, whose roundings make the error. */
 static double theta_settling(const rot_drag *f, const parts *at, double t, double *terms) {
   const double arm = at->x > 1e-300 ? t * (at->gone / at->x) : t; /* (1 - exp(-2 s t))/(2 s) */
   const double g = (f->omega0 - f->rest) * arm, y = f->k * g;
@@ -172,7 +176,7 @@ static const double node[5] = {0.07443716949081560, 0.21669769706462359, 0.33970
 static const double weight[5] = {0.14776211235737644, 0.13463335965499818, 0.10954318125799102,
                                  0.07472567457529030, 0.03333567215434407};
 
-/* Ten points a panel: every value of omega is positive, so nothing cancels. */
+/* theta by ten points per panel; omega is positive at each, so nothing cancels. */
 static double theta_by_quadrature(const rot_drag *f, double t, int panels, double *terms) {
   double sum = 0.0;
   const double h = t / panels;
@@ -189,15 +193,15 @@ static double theta_by_quadrature(const rot_drag *f, double t, int panels, doubl
   return sum * h;
 }
 
-/* How many panels put the poles of omega(t) so far off that ten points give 1e-16: they lie at
- * i pi/(2 s) from a real time, and before -1/slope. */
+/* t => number of panels for which ten points give 1e-16: the poles of omega(t), at a distance of
+ * i pi/(2 s) from a real time and before -1/slope, are then far enough from each panel. */
 static double panels_for(const rot_drag *f, double t) {
-  const double simd = f->turns && f->s * t > 0.8 ? 8.0 : f->s * t / 0.8;
-  return ceil(fmax(1.0, fmax(simd, f->slope * t / 0.667)));
+  const double by_rate = f->turns && f->s * t > 0.8 ? 8.0 : f->s * t / 0.8;
+  return ceil(fmax(1.0, fmax(by_rate, f->slope * t / 0.667)));
 }
 
-/* The closed form where it does not cancel, else quadrature: uniform slowing or speeding up, where
- * two terms of size 1/k or 1/b leave t^2. */
+/* theta by the closed form unless it cancels, else by quadrature. It cancels in nearly uniform
+ * acceleration, where the difference of two terms of size 1/k or 1/b is of order t^2. */
 static double theta_at(const rot_drag *f, const parts *at, double t, double *terms) {
   const double theta = f->turns ? theta_turning(f, at, t, terms) : theta_settling(f, at, t, terms);
   if (*terms <= 5.0 * fabs(theta)) return theta;

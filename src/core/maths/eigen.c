@@ -9,17 +9,17 @@
 /* Matrices of 64 rows, graded over 1e-30, took at most 11 sweeps. */
 enum { MAX_SWEEPS = 60 };
 
-/* A row of rotations of so many columns takes more than 20 us; fewer are not worth a poll. */
+/* A row of rotations takes more than 20 us from this many columns on: worth a poll. */
 enum { LARGE = 64 };
 
 static rot_status poll_if_large(size_t n, const rot_hooks *hooks) {
   return n < LARGE ? ROT_OK : rot_poll(hooks, 0.0);
 }
 
-/* Scales by a power of two to near 1, so that no square leaves the range. Returns the exponent, or
- * NOT_FINITE. */
 enum { NOT_FINITE = -100000 };
 
+/* Scales n numbers by a power of two to at most 1, so that no square overflows. Returns the
+ * exponent, or NOT_FINITE. */
 static int scale_to_one(size_t n, double a[]) {
   double max = 0.0;
   int exponent = 0;
@@ -36,15 +36,15 @@ static void set_identity(size_t n, double a[]) {
   for (size_t i = 0; i < n * n; i++) a[i] = i % (n + 1) == 0 ? 1.0 : 0.0;
 }
 
-/* The rotation that diagonalises [alpha gamma; gamma beta]: tangent of the smaller angle. */
+/* [alpha gamma; gamma beta] => tangent of the smaller angle of the rotation that diagonalises it */
 static double tangent(double alpha, double beta, double gamma) {
   const double cot = (beta - alpha) / (2.0 * gamma);
   if (fabs(cot) > 1e150) return 0.5 / cot;
   return (cot >= 0.0 ? 1.0 : -1.0) / (fabs(cot) + sqrt(1.0 + cot * cot));
 }
 
-/* x and y, strided, become c x - s y and s x + c y, written with tau = s/(1 + c) for smaller
- * rounding errors (Rutishauser 1966). */
+/* x, y (strided) => c x - s y, s x + c y, with tau = s/(1 + c) for smaller rounding errors
+ * (Rutishauser 1966). */
 static void rotate(size_t n, size_t step, double x[], double y[], double s, double tau) {
   for (size_t i = 0; i < n; i++) {
     const double a = x[i * step], b = y[i * step];
@@ -55,9 +55,10 @@ static void rotate(size_t n, size_t step, double x[], double y[], double s, doub
 
 /* ---- symmetric ------------------------------------------------------------------------------ */
 
+/* One Jacobi rotation of a, applied to v. Returns 0 if a_pq is negligible. */
 static int rotate_pair(size_t n, double a[], double v[], size_t p, size_t q) {
   const double gamma = a[p * n + q], alpha = a[p * n + p], beta = a[q * n + q];
-  /* Relative to both diagonal elements, not to the norm: this resolves small eigenvalues. */
+  /* Relative to both diagonal elements, not to the norm, to resolve small eigenvalues. */
   if (fabs(gamma) <= ROT_EPS * sqrt(fabs(alpha)) * sqrt(fabs(beta)) || fabs(gamma) < DBL_MIN) {
     return 0;
   }
@@ -94,9 +95,9 @@ static void sort_ascending(size_t n, double values[], double vectors[]) {
   }
 }
 
-/* v'Av / v'v with compensated sums. The error of the vector enters squared, so a well-separated
- * small eigenvalue of an ungraded matrix regains the digits that the rotations lost: 1e-14 becomes
- * 2e-16 for the 3 x 3 matrices of the tests. */
+/* Rayleigh quotient v'Av / v'v with compensated sums. The error of the vector enters squared, so a
+ * well-separated small eigenvalue of an ungraded matrix regains the digits lost in the rotations:
+ * from 1e-14 to 2e-16 for the 3 x 3 matrices of the tests. */
 static double rayleigh(size_t n, const double a[], const double vectors[], size_t j) {
   double top = 0.0, top_lo = 0.0, below = 0.0, below_lo = 0.0;
   for (size_t i = 0; i < n; i++) {
@@ -164,8 +165,7 @@ static void swap_rows(size_t cols, double g[], size_t p, size_t q) {
   for (size_t j = 0; p != q && j < cols; j++) swap(&g[p * cols + j], &g[q * cols + j]);
 }
 
-/* Householder reflection of the rows from k on, which leaves column k with its first element
- * only. */
+/* Householder reflection of the rows from k on: zeros below element k of column k. */
 static void reflect(size_t rows, size_t cols, double g[], size_t k) {
   double *x = g + k * cols + k;
   const size_t length = rows - k;
@@ -180,8 +180,8 @@ static void reflect(size_t rows, size_t cols, double g[], size_t k) {
   x[0] = corner;
 }
 
-/* G P = Q R, each time with the largest column and row exchanged to the front: row-wise and
- * column-wise stable (Cox & Higham 1998). R is left in the upper triangle of g. */
+/* g => R of G P = Q R, in the upper triangle of g; permutation `place`. Each step first exchanges
+ * the largest column and row to the front: row-wise and column-wise stable (Cox & Higham 1998). */
 static rot_status triangularize(size_t rows, size_t cols, double g[], size_t place[],
                                 const rot_hooks *hooks) {
   rot_status status = ROT_OK;
@@ -219,7 +219,7 @@ static int rotate_columns(size_t n, double a[], size_t p, size_t q) {
   return 1;
 }
 
-/* Makes the columns orthonormal; their lengths go to sigma. */
+/* Rotates the columns until orthogonal, then normalizes them; sigma: their lengths. */
 static rot_status orthogonalize(size_t n, double a[], double sigma[], const rot_hooks *hooks) {
   rot_status status = ROT_OK;
   int turned = 1;

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-/* A product of this size takes 2 ms; smaller ones are not worth a poll. */
+/* A product of this size takes 2 ms: worth a poll. */
 enum { LARGE = 128 };
 
 static rot_status poll_if_large(size_t n, const rot_hooks *hooks) {
@@ -45,7 +45,7 @@ static double norm_of(size_t n, const double a[]) {
   return max;
 }
 
-/* Solves a x = b for n right-hand sides, with partial pivoting; both are overwritten, b by x. The
+/* (a, b) => x of a x = b in b, for n right-hand sides; a is overwritten. Partial pivoting: the
  * denominator of a Pade approximant is well conditioned. */
 static rot_status solve(size_t n, double a[], double b[], const rot_hooks *hooks) {
   rot_status status = ROT_OK;
@@ -89,8 +89,8 @@ static void add_identity(size_t n, double to[], double factor) {
   for (size_t i = 0; i < n; i++) to[i * (n + 1)] += factor;
 }
 
-/* Up to this 1-norm the error of each degree is below the unit roundoff (Higham 2005, table
- * 2.3). */
+/* Pade approximants: degree, largest 1-norm with an error below the unit roundoff (Higham 2005,
+ * table 2.3), coefficients. */
 static const struct {
   int degree;
   double norm, b[14];
@@ -108,7 +108,7 @@ static const struct {
 };
 enum { HIGHEST = 4 };
 
-/* exp(a) = (v - u)^-1 (v + u), u odd and v even in a. Work: 6 n^2. */
+/* a => e = (v - u)^-1 (v + u) by approximant `which`, u odd and v even in a; work: 6 n^2 */
 static rot_status approximate(size_t n, const double a[], int which, double e[], double work[],
                               const rot_hooks *hooks) {
   const size_t size = n * n;

@@ -11,14 +11,14 @@
 /* Doubles of work space. */
 #define ROT_EXPM_WORK(n) (7 * (n) * (n))
 
-/* e = exp(a), n x n, by rows. Where exp does not grow, the error is some 1e-16 times the 1-norm of
- * a. ROT_ERANGE if it overflows. Polls the hooks (NULL: none) where n is large. */
+/* a => e = exp(a), n x n, by rows. If the exponential does not grow, the error is some 1e-16 times
+ * the 1-norm of a. ROT_ERANGE if it overflows. Polls the hooks (NULL: none) for large n. */
 rot_status rot_expm(size_t n, const double a[], double e[], double work[], const rot_hooks *hooks);
 
-/* c = a b, n x n; polls as above. */
+/* (a, b) => c = a b, n x n; polls for large n. */
 rot_status rot_expm_multiply(size_t n, const double a[], const double b[], double c[],
                              const rot_hooks *hooks);
-/* y = a x. */
+/* (a, x) => y = a x */
 void rot_expm_apply(size_t n, const double a[], const double x[], double y[]);
 
 #endif

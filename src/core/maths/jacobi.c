@@ -3,7 +3,7 @@
 #include <float.h>
 #include <math.h>
 
-/* K = pi/(2 M(1, sqrt(m1))). The steps of the mean are stored for the descent to sn, cn, dn. */
+/* K = pi/(2 M(1, sqrt(m1))). The steps of the mean M are stored for the descent to sn, cn, dn. */
 void rot_jacobi_begin(rot_dd m1, rot_jacobi *out) {
   static const rot_dd half_pi = {0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54};
   rot_dd a = {1.0, 0.0}, g = rot_dd_sqrt(m1);
@@ -15,7 +15,7 @@ void rot_jacobi_begin(rot_dd m1, rot_jacobi *out) {
     out->k = (rot_dd){m1.hi == 0.0 ? INFINITY : NAN, 0.0};
     return;
   }
-  /* At 2^-56 the last a suffices for the functions; one more mean gives K to 2^-113. */
+  /* At 2^-56 the last a is accurate enough for the functions; one more mean gives K to 2^-113. */
   for (int known = 0; !known && out->n < 22;) {
     known = fabs(a.hi - g.hi) < 0x1p-56 * a.hi;
     const rot_dd mean = rot_dd_half(rot_dd_add(a, g));
@@ -57,7 +57,8 @@ static void hyperbolic(double u, double *sn, double *cn, double *dn) {
   *cn = *dn = 1.0 / cosh(u);
 }
 
-/* m1 below 2^-100. Near K, cn = k' sinh(K - u) and dn = k' cosh(K - u), k' = 4 exp(-K). */
+/* u => sn, cn, dn for m1 below 2^-100. Near K, cn = k' sinh(K - u) and dn = k' cosh(K - u),
+ * k' = 4 exp(-K). */
 static void far_at(const rot_jacobi *jacobi, rot_dd u, double *sn, double *cn, double *dn) {
   const rot_dd x = rot_dd_abs(u), beyond = rot_dd_sub(jacobi->k, x);
   if (x.hi < beyond.hi) {
@@ -70,9 +71,9 @@ static void far_at(const rot_jacobi *jacobi, rot_dd u, double *sn, double *cn, d
   if (u.hi < 0.0) *sn = -*sn;
 }
 
-/* Bulirsch's descent: y = cn/sn and d = dn at each level, with positive terms only, so that for
- * u <= K/2 small values keep their relative accuracy. The recursion of the phase (an arc sine at
- * each level) loses cn and dn near K: 7e-9 of 1 where m1 < 1e-16. */
+/* u => cn/sn, dn by Bulirsch's descent: y = cn/sn and d = dn at each level have positive terms
+ * only, so small values are relatively accurate for u <= K/2. The recursion of the phase (an arc
+ * sine at each level) loses cn and dn near K: error 7e-9 for m1 < 1e-16. */
 static void descend(const rot_jacobi *jacobi, rot_dd u, double *y_out, double *d_out) {
   const double x = jacobi->a[jacobi->n] * u.hi;
   double y = jacobi->a[jacobi->n] * cos(x) / sin(x), d = 1.0;
@@ -171,7 +172,7 @@ double rot_carlson_rj(double x, double y, double z, double p) {
     if (!(far > 0.008 * mean)) break;
     const double sx = sqrt(x), sy = sqrt(y), sz = sqrt(z), sp = sqrt(p);
     const double l = sx * (sy + sz) + sy * sz, d = (sp + sx) * (sp + sy) * (sp + sz);
-    /* the same number in two ways: the first is exact near 0, the second does not underflow */
+    /* Two forms of one number: the first is exact near 0, the second does not underflow. */
     const double e =
         d > 1e-100 ? delta * part * part * part / (d * d)
                    : (sp - sx) / (sp + sx) * ((sp - sy) / (sp + sy)) * ((sp - sz) / (sp + sz));
@@ -194,7 +195,7 @@ double rot_carlson_rj(double x, double y, double z, double p) {
   return part * series / (mean * sqrt(mean)) + 6.0 * sum;
 }
 
-/* By the arithmetic-geometric mean (DLMF 19.8.5 to 19.8.7): no term cancels. */
+/* Arithmetic-geometric mean (DLMF 19.8.5 to 19.8.7): no term cancels. */
 rot_dd rot_jacobi_mean(rot_dd m1, rot_dd p) {
   const rot_dd one = {1.0, 0.0};
   if (!(m1.hi > 0.0)) return rot_dd_div(one, p);
@@ -211,7 +212,7 @@ rot_dd rot_jacobi_mean(rot_dd m1, rot_dd p) {
   return rot_dd_half(rot_dd_div(sum, p));
 }
 
-/* sn R_F(cn^2, dn^2, 1), sn >= 0 */
+/* => u = sn R_F(cn^2, dn^2, 1), sn >= 0 */
 static double argument(double sn, double cn, double dn) {
   const double size = hypot(sn, cn);
   const double s = sn / size, c = cn / size;
@@ -228,8 +229,8 @@ rot_dd rot_jacobi_argument(const rot_jacobi *jacobi, double sn, double cn, doubl
   } else {
     u.hi = argument(s, cn, dn);
     *error = 8.0 * ROT_EPS * u.hi;
-    if (u.hi >
-        0.5 * jacobi->k.hi) { /* sn(K - u) = cn/dn, cn(K - u) = k' sn/dn, dn(K - u) = k'/dn */
+    /* sn(K - u) = cn/dn, cn(K - u) = k' sn/dn, dn(K - u) = k'/dn */
+    if (u.hi > 0.5 * jacobi->k.hi) {
       const double w = argument(cn / dn, k1 * (s / dn), k1 / dn);
       u = rot_dd_add1(jacobi->k, -w);
       *error = 8.0 * ROT_EPS * w;

@@ -7,14 +7,14 @@
 
 /* ---- set-up --------------------------------------------------------------------------------- */
 
-/* The exponent of sqrt(k/I) or of c/(2 I), whichever is larger. */
+/* => larger exponent of sqrt(k/I) and c/(2 I) */
 static int rate_exponent(int ei, int ec, int ek, int damped) {
   const int swing = (int)floor(0.5 * (ek - ei)), damp = ec - ei - 1;
   return damped && damp > swing ? damp : swing;
 }
 
-/* k/I - (c/(2 I))^2 = (4 k I - c^2)/(4 I^2). Both products are exact, so their difference keeps its
- * digits at the border between the regimes. */
+/* => k/I - (c/(2 I))^2 = (4 k I - c^2)/(4 I^2). Both products are exact, so their difference is
+ * accurate at critical damping. */
 static rot_dd discriminant(double mi, double mc, double mk, int scale_ki, int scale_cc) {
   const rot_dd ki = rot_dd_ldexp(rot_dd_mul2(mk, mi), scale_ki);
   const rot_dd cc = rot_dd_ldexp(rot_dd_mul2(mc, mc), scale_cc);
@@ -48,8 +48,9 @@ static double exp_dd(rot_dd x) {
   return isfinite(e) ? e + e * x.lo : e;
 }
 
-/* Roots apart by less than a step: with C = cos or cosh of the phase and S = sin or sinh of it over
- * the split,  u = exp(-g s)(C + g S),  psi_0 = exp(-g s)(C - g S),  psi_1 = exp(-g s) S. */
+/* u, psi_0, psi_1 for a phase below 1/2 or an underdamped motion. With C = cos or cosh of the phase
+ * and S = sin or sinh of the phase, over the split:
+ * u = exp(-g s)(C + g S),  psi_0 = exp(-g s)(C - g S),  psi_1 = exp(-g s) S. */
 static void by_phase(const rot_oscillator *of, double half_rate, rot_oscillator_step *out) {
   const double x = out->phase.hi, E = out->decay;
   double C, S;
@@ -71,8 +72,8 @@ static void by_phase(const rot_oscillator *of, double half_rate, rot_oscillator_
   out->u_phase = E * ROT_DD_EPS * 4.0 * (x + fabs(out->damped));
 }
 
-/* Roots apart by more: with F = 1 - exp(-2 phase), P = 1 + slow F/(2 phase) and
- * Q = exp(-2 phase) - slow F/(2 phase), all times the exponential that lasts longest. */
+/* The same for separated real roots: F = 1 - exp(-2 phase), P = 1 + slow F/(2 phase) and
+ * Q = exp(-2 phase) - slow F/(2 phase), all times the slowest decaying exponential. */
 static void by_roots(const rot_oscillator *of, rot_oscillator_step *out) {
   const int grows = out->damped < 0.0;
   const double difference = 2.0 * out->phase.hi, F = -expm1(-difference),
@@ -88,7 +89,7 @@ static void by_roots(const rot_oscillator *of, rot_oscillator_step *out) {
   out->psi1_phase = out->u_phase = 0.0;
 }
 
-/* Complete homogeneous symmetric polynomials h_j of the two roots times s, to j = terms. */
+/* => h_j for j = 0 .. terms, complete homogeneous symmetric polynomials of the two roots times s */
 static void symmetric(const rot_oscillator_step *step, int terms, double h[]) {
   const double p = -2.0 * step->damped, q = -(step->of->stiff.hi * step->s.hi) * step->s.hi;
   h[0] = 1.0;
@@ -98,7 +99,7 @@ static void symmetric(const rot_oscillator_step *step, int terms, double h[]) {
 
 enum { TERMS = 25 };
 
-/* Enough for 2^-55: |h_j| <= (j + 1) r^j for roots below r. */
+/* => terms for a truncation error of 2^-55: |h_j| <= (j + 1) r^j for roots below r */
 static int terms_for(double r) { return r < 0.02 ? 6 : r < 0.2 ? 10 : TERMS; }
 
 /* psi_n/s^n = sum h_j/(j + n)! */
@@ -115,7 +116,7 @@ static void by_series(rot_oscillator_step *out) {
   out->third = third;
 }
 
-/* One root may be far: phi_1 and phi_2 of the roots, divided by their distance. */
+/* psi_n/s^n for separated roots: differences of phi_1 and phi_2 over the distance of the roots. */
 static void by_differences(rot_oscillator_step *out) {
   const double difference = 2.0 * out->phase.hi, sign = out->damped < 0.0 ? -1.0 : 1.0;
   double slow[3], fast[3];
@@ -125,7 +126,7 @@ static void by_differences(rot_oscillator_step *out) {
   out->third = sign * (slow[2] - fast[2]) / difference;
 }
 
-/* Short steps, where 1 - u loses digits, have a form without that difference. */
+/* psi_2 and psi_3 of short steps, where 1 - u loses digits. */
 static void integrals(const rot_oscillator *of, rot_oscillator_step *out) {
   out->near_roots = fabs(out->damped) <= 1.25 && of->omega0 * out->s.hi <= 1.0;
   const int far_root = of->regime < 0 && out->phase.hi > 0.5 && out->slow.hi < 0.5;
@@ -151,7 +152,7 @@ void rot_oscillator_at(const rot_oscillator *of, rot_dd s, rot_oscillator_step *
     by_roots(of, out);
   } else if (out->decay > 0.0) {
     by_phase(of, half.hi, out);
-  } /* else all has died out */
+  } /* else the motion has decayed to 0 */
   out->first = unit.hi > 0.0 ? out->psi1 / unit.hi : 1.0;
   const double gS = fabs(of->half_rate.hi) * out->psi1;
   out->norm = sqrt(out->decay * out->decay + gS * gS) + fabs(gS);
@@ -175,7 +176,7 @@ static rot_complex over(rot_complex a, rot_complex b) {
 
 static double size_of(rot_complex a) { return hypot(a.re, a.im); }
 
-/* All three points i Y, roots s of order 1: exp[..] = sum h_j/(j + 2)! of three variables. */
+/* i Y and both roots s of order 1: exp[..] = sum h_j/(j + 2)! of three variables. */
 static void wave_series(const rot_oscillator_step *step, double Y, rot_complex *y, rot_complex *v) {
   double h[TERMS + 1], factor = 1.0;
   const int terms =
@@ -193,7 +194,7 @@ static void wave_series(const rot_oscillator_step *step, double Y, rot_complex *
   }
 }
 
-/* (exp(d) - 1)/d, |d| < 1/2 */
+/* d => (exp(d) - 1)/d, |d| < 1/2 */
 static rot_complex first_phi(rot_complex d) {
   rot_complex sum = {0.0, 0.0};
   double factor = 1.0;
@@ -206,7 +207,7 @@ static rot_complex first_phi(rot_complex d) {
   return sum;
 }
 
-/* i Y - root s, for the root nearest to i Y and for the other; exp(nearest root s). */
+/* => i Y - root s for the root nearest to i Y and for the other; exp(nearest root s) */
 static void distances(const rot_oscillator_step *step, rot_dd omega, double Y, rot_complex *nearest,
                       rot_complex *other, rot_complex *power) {
   const rot_oscillator *of = step->of;
@@ -224,7 +225,7 @@ static void distances(const rot_oscillator_step *step, rot_dd omega, double Y, r
   if (of->regime == 0) *power = (rot_complex){step->decay, 0.0};
 }
 
-/* Near a root a, away from the other root b, c = i Y:
+/* Response near a root a, far from the other root b, c = i Y:
  *   exp[a, b, c]     = (exp[a, c] - exp[a, b])/(c - b),    exp[a, c] = exp(a) phi_1(c - a)
  *   (x exp)[a, b, c] = (c exp[a, c] + exp(a) - psi_0)/(c - b),  for y'. */
 static void wave_near(const rot_oscillator_step *step, double Y, rot_complex nearest,
@@ -252,7 +253,7 @@ int rot_oscillator_wave(const rot_oscillator_step *step, double omega, rot_compl
     if (!(size_of(nearest) < 0.5)) return 0;
     wave_near(step, Y, nearest, other, power, y, v, y_size, v_size);
   }
-  if (step->backward) { /* time runs back, and so does the wave */
+  if (step->backward) { /* reversed time conjugates the wave */
     y->im = -y->im;
     v->im = -v->im;
   }

@@ -6,7 +6,7 @@
 
 #include "ground/real.h"
 
-/* On [-1, 1], 15 of Kronrod around 7 of Gauss (Piessens et al. 1983, QUADPACK). */
+/* Kronrod's rule of 15 nodes on [-1, 1] with Gauss's of 7 (Piessens et al. 1983, QUADPACK). */
 enum { NODES = 15, HALF = 7 };
 static const double node[HALF + 1] = {
     0.991455371120812639206854697526329, 0.949107912342758524526189684047851,
@@ -22,22 +22,25 @@ static const double gauss[HALF + 1] = {
     0.0, 0.129484966168869693270611432679082, 0.0, 0.279705391489276667901467771423780,
     0.0, 0.381830050505118944950369775488975, 0.0, 0.417959183673469387755102040816327};
 
-/* Panels evaluated beyond four for each at the start, at a time, and halvings. */
-enum { MAX = 200000, AT_ONCE = 256, HALVINGS = 24 };
+enum {
+  MAX = 200000,  /* panels evaluated, in addition to four for each initial panel */
+  AT_ONCE = 256, /* panels in one call of the integrands */
+  HALVINGS = 24
+};
 
 typedef struct panel {
-  double from, to;
-  size_t owner;
+  double from, to; /* s */
+  size_t owner;    /* index of the initial panel */
 } panel;
 
-/* Of one panel, width each. */
+/* Integrals of one panel, `width` numbers each. */
 typedef struct sums {
   double *value, *size, *error, *noise;
 } sums;
 
 static int at(int i) { return i <= HALF ? i : NODES - 1 - i; }
 
-/* f: the nodes' values, NODES x width. */
+/* (panel, f: NODES x width values) => integrals, sizes, errors, effect of rounded times */
 static void integrate(const panel *p, size_t width, const double f[], const sums *out) {
   const double half = 0.5 * (p->to - p->from),
                late = 2.0 * ROT_EPS * fmax(fabs(p->from), fabs(p->to));
@@ -53,14 +56,14 @@ static void integrate(const panel *p, size_t width, const double f[], const sums
     const double difference = fabs(by_kronrod - by_gauss) * half;
     out->value[k] = by_kronrod * half;
     out->size[k] = size = size * half;
-    /* Piessens' rule: the difference is the error of the Gauss rule; Kronrod's is far less. */
+    /* Piessens' rule: the difference is the error of Gauss's rule, Kronrod's is far less. */
     out->error[k] = size > 0.0 ? size * fmin(1.0, pow(200.0 * difference / fmax(size, 1e-300), 1.5))
                                : difference;
     out->noise[k] = varies * late; /* the times of the nodes are rounded */
   }
 }
 
-/* Whether nothing is gained by halving it. */
+/* 1 if halving the panel would not reduce the error. */
 static int is_good(const panel *p, size_t width, const sums *of, const double total[]) {
   int good = 1;
   for (size_t k = 0; k < width; k++) {
@@ -74,9 +77,12 @@ typedef struct work {
   const rot_panels *p;
   rot_panels_rates rates;
   void *ctx;
-  panel *open, *next; /* of this halving, of the next: increasing */
-  size_t n_open, n_next, room;
-  double *time_s, *f, *total, *all; /* all: value, size, error, noise of the open panels */
+  panel *open, *next;    /* panels of this halving and of the next, increasing */
+  size_t n_open, n_next; /* their numbers */
+  size_t room;           /* panels allocated in each */
+  double *time_s, *f;    /* nodes and integrands of AT_ONCE panels */
+  double *total;         /* width: sizes that errors are compared with */
+  double *all;           /* value, size, error, noise of the open panels */
 } work;
 
 static sums sums_of(const work *w, size_t i) {
@@ -85,6 +91,7 @@ static sums sums_of(const work *w, size_t i) {
   return (sums){x, x + width, x + 2 * width, x + 3 * width};
 }
 
+/* Integrates all open panels, AT_ONCE at a time. */
 static rot_status evaluate(work *w) {
   const size_t width = w->p->width;
   rot_status status = ROT_OK;
@@ -106,7 +113,7 @@ static rot_status evaluate(work *w) {
   return status;
 }
 
-/* Room for the open panels and for their halves. */
+/* Allocates n open panels, n next ones and their integrals. */
 static rot_status make_room(work *w, size_t n) {
   if (n <= w->room) return ROT_OK;
   panel *open = realloc(w->open, n * sizeof *open), *next;
@@ -146,7 +153,8 @@ static void halve(work *w, size_t i) {
   w->next[w->n_next++] = (panel){middle, p->to, p->owner};
 }
 
-static rot_status go(work *w) {
+/* Halves panels until each is good or the work is spent; adds them to the results. */
+static rot_status refine(work *w) {
   const rot_panels *p = w->p;
   size_t left = MAX + 4 * p->n;
   for (size_t i = 0; i < p->n; i++) w->open[i] = (panel){p->edge_s[i], p->edge_s[i + 1], i};
@@ -162,7 +170,7 @@ static rot_status go(work *w) {
       bad += !is_good(&w->open[i], p->width, &of, w->total);
     }
     const int spent = 2 * bad > left, stop = halving == HALVINGS || spent;
-    /* Of an integrand that the panels do not resolve nothing is known. */
+    /* The panels do not resolve the integrand: its error is unknown. */
     for (size_t k = 0; k < p->width && spent; k++) p->error[k] = (double)NAN;
     if (make_room(w, 2 * bad) != ROT_OK) return ROT_ENOMEM;
     w->n_next = 0;
@@ -193,7 +201,7 @@ rot_status rot_panels_integrate(const rot_panels *p, rot_panels_rates rates, voi
   if (status == ROT_OK) {
     w.f = w.time_s + nodes;
     w.total = w.f + nodes * p->width;
-    status = go(&w);
+    status = refine(&w);
   }
   free(w.time_s);
   free(w.open);

@@ -1,5 +1,4 @@
-/* Integrals of several functions of time over panels: Gauss-Kronrod rules, panels halved where the
- * two rules differ. */
+/* Integrals of several functions of time over panels: adaptive Gauss-Kronrod quadrature. */
 #ifndef ROT_PANELS_H
 #define ROT_PANELS_H
 
@@ -7,21 +6,21 @@
 
 #include "ground/status.h"
 
-/* The integrands at n times, which do not decrease: value[i * width + k] is the k-th at time i. */
+/* n non-decreasing times => value[i * width + k], integrand k at time i */
 typedef rot_status (*rot_panels_rates)(size_t n, const double time_s[], double value[], void *ctx);
 
 typedef struct rot_panels {
-  size_t width, n; /* integrands; panels, whose ends are edge_s[0 .. n], increasing */
-  const double *edge_s;
-  /* NULL, or the size of what each integrand is added to: below its rounding nothing is halved. */
-  const double *min;
-  double *value; /* out: n * width, of each panel */
-  double *error; /* out: width, of their sums, the rounding of the times included; NaN: unknown */
-  double *size;  /* out: width, the integrals of the absolute values */
+  size_t width;         /* integrands */
+  size_t n;             /* panels */
+  const double *edge_s; /* edges of the panels, 0 .. n, increasing */
+  const double *min;    /* width, or NULL: panels are not halved for errors below rounding of it */
+  double *value;        /* out: n * width, integrals over each panel */
+  double *error;        /* out: width, of their sums, with the rounding of times; NaN: unknown */
+  double *size;         /* out: width, integrals of the absolute values */
 } rot_panels;
 
-/* Halves until the error is below rounding or 24 halvings are done; where the panels become too
- * many, the error is NaN. A panel whose integral is not finite is not halved. */
+/* Halves panels until the error is below rounding, 24 times at most; with too many panels the error
+ * is NaN. A panel whose integral is not finite is not halved. */
 rot_status rot_panels_integrate(const rot_panels *panels, rot_panels_rates rates, void *ctx);
 
 #endif

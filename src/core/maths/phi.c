@@ -30,7 +30,7 @@ const double rot_inverse_factorial[46] = {
     1 / 1.1962222086548019e+56,
 };
 
-/* 1/(j! (j + 2)) and 1/(j! (j + 3)): no division in the loop. */
+/* 1/(j! (j + 2)) and 1/(j! (j + 3)), to avoid divisions in the loop. */
 static const double kummer_2[] = {
 #define X(n, factorial) 1 / factorial / (n + 2),
     FACTORIALS(X)
@@ -44,7 +44,8 @@ static const double kummer_3[] = {
 
 /* clang-format on */
 
-/* Taylor series: sum (-z)^j / (j+k)!, to 2^-54 at |z| = 0.5 (13 terms) and at 6 (39 terms). */
+/* phi_k(-z) by its Taylor series sum (-z)^j / (j+k)!, to 2^-54 at |z| = 0.5 (13 terms) and at 6
+ * (39 terms). */
 static double taylor(double z, int k) {
   int terms = fabs(z) <= 0.5 ? 13 : 39;
   double s = rot_inverse_factorial[k + terms];
@@ -52,8 +53,8 @@ static double taylor(double z, int k) {
   return s;
 }
 
-/* Kummer's form, all terms positive: phi_k = exp(-z)/(k-1)! sum_j (z^j/j!)/(j+k). For z < 4 both
- * the upward and the downward recurrence lose digits; error here: 2.9 ulp. */
+/* Kummer's form, all terms positive: phi_k = exp(-z)/(k-1)! sum_j (z^j/j!)/(j+k). For z < 4 the
+ * recurrences in both directions lose digits; error here: 2.9 ulp. */
 static void kummer(double z, double e, int k_max, double phi[]) {
   enum { TERMS = 40 };
   double t[TERMS];
@@ -78,7 +79,7 @@ void rot_phi(double z, double z_lo, int k_max, double phi[]) {
   if (z >= 4.0 || z <= -6.0) {
     for (int k = 1; k < k_max; k++) phi[k + 1] = (rot_inverse_factorial[k] - phi[k]) / z;
     if (z <= -6.0 && isfinite(e)) {
-      /* phi_k grows as exp(-z)/(-z)^k, and so does the effect of the residual. */
+      /* phi_k and the effect of the residual grow as exp(-z)/(-z)^k. */
       for (int k = 1; k <= k_max; k++) phi[k] -= phi[k] * z_lo * (1.0 + k / z);
     }
   } else if (z >= 0.5) {
@@ -100,9 +101,9 @@ static double nested(double z, int k) {
   return rot_inverse_factorial[k] * s;
 }
 
-/* The upward recurrence phi_(k+1) = (1/k! - phi_k)/z amplifies an error by k/z, the downward one by
- * about z/k: upward for k < z and downward above, from an order where the alternating series does
- * not cancel. */
+/* phi_1 .. phi_k_max for z >= 0. The upward recurrence phi_(k+1) = (1/k! - phi_k)/z amplifies an
+ * error by k/z, the downward one by about z/k: upward for k < z; downward above, from an order at
+ * which the alternating series does not cancel. */
 static void phi_high_damped(double z, int k_max, double phi[]) {
   const int middle = z < k_max ? (int)z + 1 : k_max;
   for (int k = 1; k < middle; k++) phi[k + 1] = (rot_inverse_factorial[k] - phi[k]) / z;
@@ -117,8 +118,8 @@ static void phi_high_damped(double z, int k_max, double phi[]) {
   }
 }
 
-/* Downward, all terms are positive. Upward, the first terms of the exponential are subtracted from
- * it; for -z >= k + 6 they are less than a twentieth of it. */
+/* The same for z < 0. Downward, all terms are positive. Upward, the first terms of the exponential
+ * are subtracted from it; for -z >= k + 6 they are less than a twentieth of it. */
 static void phi_high_driven(double z, double z_lo, int k_max, double phi[]) {
   double all[ROT_PHI_HIGH + 2];
   all[1] = phi[1];
@@ -168,7 +169,7 @@ void rot_phi_in_lanes(const double z[ROT_LANES], const double z_lo[ROT_LANES], r
   for (int l = 1; l < ROT_LANES; l++) z_max = z[l] > z_max ? z[l] : z_max;
   enum { HALF = ROT_LANES / 2, PAIRS = HALF / ROT_PAIR };
   const int degree = degree_for(z_max);
-  for (int l = 0; l < ROT_LANES; l += HALF) { /* a half fits in the registers */
+  for (int l = 0; l < ROT_LANES; l += HALF) { /* half of the lanes fit in the registers */
     rot_pair zs[PAIRS], gs[PAIRS], a2s[PAIRS], a3s[PAIRS];
     memcpy(zs, z + l, sizeof zs);
     for (int i = 0; i < PAIRS; i++) gs[i] = a2s[i] = a3s[i] = ROT_BOTH(0.0);

@@ -6,7 +6,7 @@
 
 enum { STAGES = 5, MAX_ITERATIONS = 12 };
 
-/* mpmath, 60 digits: roots of d^4/dx^4 x^4 (x - 1)^5, and the collocation integrals. */
+/* Roots of d^4/dx^4 x^4 (x - 1)^5, and the collocation integrals (mpmath, 60 digits). */
 static const double node[STAGES] = {0.057104196114517682193, 0.27684301363812382768,
                                     0.58359043236891682006, 0.86024013565621944785, 1.0};
 static const double weight[STAGES][STAGES] = {
@@ -20,21 +20,24 @@ static const double weight[STAGES][STAGES] = {
      -0.015708917378805328388},
     {0.14371356079122594132, 0.28135601514946206019, 0.31182652297574125408, 0.2231039010835707444,
      0.04}};
-/* The embedded formula gives f(t, y) the weight gamma, the real eigenvalue of the matrix above;
- * spread[] is its difference from the method, in terms of the Z. */
+/* In the embedded formula f(t, y) has the weight gamma, the real eigenvalue of the matrix above;
+ * spread[]: its difference from the method, as weights of the Z. */
 static const double gamma_0 = 0.15906584442746912048;
 static const double spread[STAGES] = {-4.4189977167963817226, 0.57923485225667005447,
                                       -0.19923756095346800874, 0.094167483691945488975,
                                       -0.031813168885493824096};
 
 struct rot_radau {
-  size_t dim, n;          /* n components take part in the equations */
-  double t_end, h;        /* where the last step ended: stages go on from there */
-  double *stage_slope;    /* STAGES of dim */
-  double *z, *z_last;     /* STAGES of n each */
-  double *step, *y, *f;   /* STAGES of n; dim; dim */
-  double *jacobian;       /* n by n */
-  double *matrix, *small; /* (STAGES n)^2, factored; n^2, factored */
+  size_t dim;          /* components of y */
+  size_t n;            /* components in the implicit equations, the first ones */
+  double t_end, h;     /* end and length of the last step, for the first guess */
+  double *stage_slope; /* STAGES x dim */
+  double *z, *z_last;  /* STAGES x n: stages of this step and of the last one */
+  double *step;        /* STAGES x n: Newton correction */
+  double *y, *f;       /* dim: arguments and result of f */
+  double *jacobian;    /* n x n */
+  double *matrix;      /* (STAGES n)^2, factored */
+  double *small;       /* n x n, factored: of the error estimate */
   size_t *pivot, *small_pivot;
 };
 
@@ -73,6 +76,7 @@ void rot_radau_free(rot_radau *r) {
 
 /* ---- linear equations ----------------------------------------------------------------------- */
 
+/* LU factors of a in place, partial pivoting; -1: singular. */
 static int factor(size_t n, double a[], size_t pivot[]) {
   for (size_t k = 0; k < n; k++) {
     size_t best = k;
@@ -111,8 +115,8 @@ static void solve(size_t n, const double a[], const size_t pivot[], double x[]) 
 
 /* ---- the step ------------------------------------------------------------------------------- */
 
-/* Differences of f at (t, y): a part of 1e-8 of each component, or of how far it goes in the
- * step, where that is more. */
+/* Jacobian at (t, y) by differences of f: 1e-8 of each component, or of its change in the step if
+ * larger. */
 static int differentiate(rot_radau *r, rot_radau_rhs rhs, void *ctx, double t, double h,
                          const double y[], const double slope[], const double allowed[]) {
   const size_t n = r->n;
@@ -131,8 +135,8 @@ static int differentiate(rot_radau *r, rot_radau_rhs rhs, void *ctx, double t, d
   return 0;
 }
 
-/* By how many e-folds the fastest growing part of the motion would grow in a step. The method damps
- * what grows as surely as what decays, once a step is long: it is not for such steps. */
+/* Max growth of the fastest growing mode in a step, in e-folds: in long steps the method damps
+ * growing modes, too. */
 enum { MAX_FOLDS = 4 };
 
 static int grows_too_fast(const rot_radau *r, double h) {
@@ -144,13 +148,14 @@ static int grows_too_fast(const rot_radau *r, double h) {
   return half + (d > 0.0 ? sqrt(d) : 0.0) > MAX_FOLDS;
 }
 
+/* Factors the matrices of the stages and of the error estimate. */
 static int factor_both(rot_radau *r, double h) {
-  const size_t n = r->n, simd = STAGES * n;
+  const size_t n = r->n, order = STAGES * n;
   for (size_t i = 0; i < STAGES; i++) {
     for (size_t j = 0; j < STAGES; j++) {
       for (size_t k = 0; k < n; k++) {
         for (size_t l = 0; l < n; l++) {
-          r->matrix[(i * n + k) * simd + j * n + l] =
+          r->matrix[(i * n + k) * order + j * n + l] =
               (i == j && k == l ? 1.0 : 0.0) - h * weight[i][j] * r->jacobian[k * n + l];
         }
       }
@@ -161,11 +166,11 @@ static int factor_both(rot_radau *r, double h) {
       r->small[k * n + l] = (k == l ? 1.0 : 0.0) - h * gamma_0 * r->jacobian[k * n + l];
     }
   }
-  if (factor(simd, r->matrix, r->pivot)) return ROT_RADAU_DIVERGED;
+  if (factor(order, r->matrix, r->pivot)) return ROT_RADAU_DIVERGED;
   return factor(n, r->small, r->small_pivot) ? ROT_RADAU_DIVERGED : 0;
 }
 
-/* First guess: the last step's polynomial, which is zero at 0 and Z_j at c_j, carried on. */
+/* Initial Z: extrapolates the last step's polynomial, which is 0 at 0 and Z_j at c_j. */
 static void guess(rot_radau *r, double t, double h) {
   const size_t n = r->n;
   memcpy(r->z_last, r->z, STAGES * n * sizeof *r->z);
@@ -198,7 +203,7 @@ static int slopes_at_stages(rot_radau *r, rot_radau_rhs rhs, void *ctx, double t
   return 0;
 }
 
-/* f at all stages, and the Newton correction of Z. */
+/* Z => f at all stages, Newton correction `step` */
 static int correct(rot_radau *r, rot_radau_rhs rhs, void *ctx, double t, double h,
                    const double y[]) {
   const size_t n = r->n, dim = r->dim;
@@ -215,7 +220,7 @@ static int correct(rot_radau *r, rot_radau_rhs rhs, void *ctx, double t, double 
   return 0;
 }
 
-/* Newton ends where the correction is rounding, or so small that the next one will be. */
+/* Newton iteration, until the correction is at rounding level or predicts that the next one is. */
 static int iterate(rot_radau *r, rot_radau_rhs rhs, void *ctx, double t, double h, const double y[],
                    const double allowed[]) {
   const size_t n = r->n;
@@ -259,8 +264,8 @@ int rot_radau_step(rot_radau *r, rot_radau_rhs rhs, void *ctx, double t, double 
   if (!code && grows_too_fast(r, h)) code = ROT_RADAU_DIVERGED;
   if (!code) code = factor_both(r, h);
   if (!code) code = iterate(r, rhs, ctx, t, h, y, allowed);
-  /* The last correction moved the stages from where their slopes are known, by up to a tenth of
-   * what is allowed: sums of those slopes would not go with the state. */
+  /* The last correction moved the stages by up to a tenth of `allowed` after their slopes were
+   * evaluated; the integrals need slopes consistent with the state. */
   if (!code && dim > n) code = slopes_at_stages(r, rhs, ctx, t, h, y);
   if (code) return code;
 
@@ -268,7 +273,7 @@ int rot_radau_step(rot_radau *r, rot_radau_rhs rhs, void *ctx, double t, double 
   embedded_error(r, h, slope, error);
   int large = 0;
   for (size_t k = 0; k < n; k++) large = large || fabs(error[k]) > allowed[k];
-  if (large) { /* of a fast part that dies out the first estimate is far too large: once more */
+  if (large) { /* the first estimate is far too large for a fast decaying mode: filter it again */
     memcpy(r->y, y, dim * sizeof *y);
     for (size_t k = 0; k < n; k++) r->y[k] += error[k];
     code = rhs(t, r->y, r->f, ctx);

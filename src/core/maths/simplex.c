@@ -5,14 +5,16 @@
 
 enum { MAX = ROT_SIMPLEX_ROWS, MAX_STEPS = 5000, BLAND_AFTER = 300 };
 
-/* Pivots and reduced costs below it count as 0. Generated columns come close to each other as the
- * square root of it, and the inverse of a basis with two such loses as many digits. */
+/* Smaller pivots and reduced costs count as 0. Generated columns may differ by the square root of
+ * it only; the inverse of a basis with two such columns loses as many digits. */
 static const double small = 1e-11, small_generated = 1e-9;
 
 typedef struct tableau {
-  size_t basis[MAX]; /* a column, or lp->capacity + i: artificial column i */
-  double sign[MAX], inverse[MAX][MAX], x[MAX];
-  double rhs[MAX]; /* moved by 1e-10: steps that do not progress could cycle */
+  size_t basis[MAX];        /* a column, or lp->capacity + i: artificial column i */
+  double sign[MAX];         /* of the artificial columns */
+  double inverse[MAX][MAX]; /* of the basis */
+  double x[MAX];            /* of the basis, >= 0 */
+  double rhs[MAX];          /* perturbed by 1e-10, against cycling in degenerate steps */
 } tableau;
 
 static double dot(size_t m, const double a[], const double b[]) {
@@ -31,7 +33,7 @@ static void basis_column(const rot_simplex *lp, const tableau *t, size_t j, doub
   }
 }
 
-/* Gauss-Jordan with row pivoting; 0 where the basis is singular. */
+/* basis => inverse, x, by Gauss-Jordan with row pivoting; returns 0 for a singular basis */
 static int invert(const rot_simplex *lp, tableau *t) {
   const size_t m = lp->m;
   double a[MAX][2 * MAX], column[MAX];
@@ -76,7 +78,7 @@ static double reduced(const rot_simplex *lp, size_t j, int phase) {
   return (phase == 1 ? 0.0 : lp->cost[j]) - dot(lp->m, lp->dual, lp->column + j * lp->m);
 }
 
-/* The column that enters, lp->n for none. */
+/* => entering column, lp->n for none */
 static size_t entering(rot_simplex *lp, int phase, int step) {
   size_t best = lp->n;
   const double enough = lp->price ? -small_generated : -small;
@@ -95,16 +97,16 @@ static size_t entering(rot_simplex *lp, int phase, int step) {
   return lp->n;
 }
 
-/* How far the entering column may grow until row i is 0; Inf for no limit. In phase 2 an artificial
- * column leaves at once: it stays 0. */
+/* => max value of the entering column for which row i is >= 0, Inf for no limit. In phase 2 an
+ * artificial column leaves immediately, so that it stays 0. */
 static double ratio_of(const rot_simplex *lp, const tableau *t, const double u[], int phase,
                        size_t i) {
   if (phase == 2 && t->basis[i] >= lp->capacity && fabs(u[i]) > small) return 0.0;
   return u[i] > small ? t->x[i] / u[i] : INFINITY;
 }
 
-/* The row that leaves, m for none. Among ties within rounding the largest pivot or, where steps may
- * cycle, the first column. */
+/* => leaving row, m for none. Among ties within rounding: the largest pivot or, after BLAND_AFTER
+ * steps, the first column. */
 static size_t leaving(const rot_simplex *lp, const tableau *t, const double u[], int phase,
                       int step) {
   double min = INFINITY;
@@ -120,6 +122,7 @@ static size_t leaving(const rot_simplex *lp, const tableau *t, const double u[],
   return best;
 }
 
+/* Simplex steps of phase 1 (feasibility) or 2 (cost). */
 static rot_simplex_result run_phase(rot_simplex *lp, tableau *t, int phase) {
   const size_t m = lp->m;
   for (int step = 0; step < MAX_STEPS; step++) {

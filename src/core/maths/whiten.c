@@ -8,17 +8,17 @@
 /* ---- the filter ----------------------------------------------------------------------------- */
 
 typedef struct filter {
-  double slow, white; /* variances */
-  double tau;
-  double spread;      /* of the slow part before the next sample */
-  double step, decay; /* of the last interval: equal ones share the exponential */
+  double slow, white; /* variances of the correlated and the white part, sum 1 */
+  double tau;         /* s, > 0 */
+  double spread;      /* predicted variance of the correlated part at the next sample */
+  double step, decay; /* last interval and its exp(-step/tau), reused for equal intervals */
 } filter;
 
 static filter filter_from(const rot_noise *noise) {
   return (filter){1.0 - noise->white, noise->white, noise->tau_s, 1.0 - noise->white, -1.0, 1.0};
 }
 
-/* To the next sample, h later; returns the factor of the slow part. */
+/* Predicts the next sample, h later; returns the decay of the correlated part. */
 static double filter_wait(filter *f, double h) {
   /* Times i h differ in their last bits: the spacing counts as equal within 1e-12. */
   if (!(fabs(h - f->step) <= 1e-12 * h)) {
@@ -56,17 +56,17 @@ rot_status rot_whiten(const rot_noise *noise, size_t n, const double t[], size_t
 /* ---- the likelihood ------------------------------------------------------------------------- */
 
 typedef struct problem {
-  size_t n, p;
+  size_t n, p; /* samples; columns */
   const double *t;
-  double *z;                /* n rows: orthonormal columns, the residual */
-  double *work;             /* as large */
-  double log_low, log_high; /* of tau */
+  double *z;                /* n x (p + 1): orthonormal columns, the residual */
+  double *work;             /* of the size of z */
+  double log_low, log_high; /* range of log tau */
   size_t evaluations;
   double logdet; /* of the last evaluation */
 } problem;
 
-/* log det of the leading p x p of the Gram matrix g, and the square of what its last column has
- * outside the span of the others. */
+/* Gram matrix g => log det of its leading p x p block; *rest: squared distance of the last column
+ * from the span of the others. g is overwritten. */
 static double reduce(size_t p, double g[ROT_WHITEN_COLUMNS][ROT_WHITEN_COLUMNS], double *rest) {
   double logdet = 0.0;
   for (size_t j = 0; j < p; j++) {
@@ -103,8 +103,8 @@ static double deviance(problem *q, const rot_noise *noise) {
   return q->logdet + fixed + (double)(n - p) * log(rest);
 }
 
-/* Coordinates: log tau, log(white/(1 - white)). Beyond their ends they cost, so that a minimum
- * there is met from inside. */
+/* Coordinates: log tau, log(white/(1 - white)). A penalty beyond their ends keeps the minimum
+ * inside. */
 static const double LOGIT_END = 9.0;
 
 static rot_noise noise_at(const problem *q, const double x[2], double *cost) {
@@ -120,7 +120,7 @@ static double deviance_at(problem *q, const double x[2]) {
   return deviance(q, &noise) + cost;
 }
 
-/* Nelder and Mead in two dimensions. */
+/* (x, its deviance *min) => local minimum, by Nelder and Mead's simplex in two dimensions */
 static rot_status descend(problem *q, double x[2], double *min, const rot_hooks *hooks) {
   double v[3][2], f[3];
   for (int i = 0; i < 3; i++) {
@@ -137,8 +137,7 @@ static rot_status descend(problem *q, double x[2], double *min, const rot_hooks 
     if (low == high) break;
     const int mid = 3 - low - high;
     const double size = fmax(fabs(v[high][0] - v[low][0]), fabs(v[high][1] - v[low][1]));
-    /* Twice the log likelihood to 1e-3, the coordinates to .02: finer than the standard errors
-     * notice. */
+    /* Twice the log likelihood to 1e-3, the coordinates to .02: standard errors do not change. */
     if (f[high] - f[low] < 1e-3 && size < 0.02) break;
     const rot_status status = rot_poll(hooks, 0.5);
     if (status != ROT_OK) return status;
@@ -182,8 +181,8 @@ static rot_status descend(problem *q, double x[2], double *min, const rot_hooks 
 
 /* ---- the columns ---------------------------------------------------------------------------- */
 
-/* An orthonormal basis of the columns of J, by two rounds of modified Gram-Schmidt; then r without
- * its part in them. A column that vanishes is left out: the number kept is returned. */
+/* (J, r) => z: an orthonormal basis of the columns of J by two rounds of modified Gram-Schmidt, and
+ * r orthogonal to it; returns the size of the basis. Dependent columns are left out. */
 static size_t orthonormal(size_t n, size_t p, const double J[], const double r[], double z[],
                           size_t stride) {
   size_t kept = 0;
@@ -228,6 +227,8 @@ static double median_spacing(size_t n, const double t[], double work[]) {
 
 enum { TIMES = 6, FRACTIONS = 3, STARTS = 3 };
 
+/* (deviance `white` of white noise) => `out`, the noise of the smallest deviance if it gains more
+ * than the threshold. Starts at `near` or at the best points of a grid. */
 static rot_status search(problem *q, double white, double threshold, const rot_noise *near,
                          const rot_hooks *hooks, rot_reml *out) {
   static const double fraction[FRACTIONS] = {-3.0, -0.7, 1.5};
@@ -250,7 +251,7 @@ static rot_status search(problem *q, double white, double threshold, const rot_n
           at = x[1];
         }
       }
-      /* Keep the best few. */
+      /* Keep the best starts, sorted. */
       int place = starts < STARTS ? starts++ : STARTS;
       while (place > 0 && height[place - 1] > min) {
         if (place < STARTS) {
@@ -267,7 +268,7 @@ static rot_status search(problem *q, double white, double threshold, const rot_n
       const rot_status status = rot_poll(hooks, 0.5);
       if (status != ROT_OK) return status;
     }
-    /* Nowhere near a gain: white, without a descent. */
+    /* Far below the threshold: white noise without a descent. */
     if (white - height[0] < 0.5 * threshold) return ROT_OK;
   }
   for (int i = 0; i < starts; i++) {
@@ -298,7 +299,7 @@ rot_status rot_whiten_reml(size_t n, const double t[], size_t p, const double J[
   const double spacing = median_spacing(n, t, z);
   if (spacing > 0.0 && cap_s > spacing) {
     const size_t kept = orthonormal(n, p, J, r, z, p + 1);
-    if (kept < p) { /* the rows of what is left, close together */
+    if (kept < p) { /* rows of the kept columns, contiguous */
       for (size_t i = 0; i < n; i++)
         memmove(z + i * (kept + 1), z + i * (p + 1), (kept + 1) * sizeof *z);
     }

@@ -5,31 +5,34 @@
 
 #include "maths/drag.h"
 
-/* A motion that would take more is no coast-down: it grows without bound, or its drag stops it at
- * once. */
+/* A motion that needs more steps is not a coast-down: it grows without bound, or stops immediately.
+ */
 enum { P = ROT_COAST_PARAMETERS, MAX_STEPS = 4000 };
 
-/* The motion from the start of a segment in which nothing changes: u = side omega >= 0,
- * u' = -(a + b u + k u^2). */
+/* The motion in a smooth segment: u = side omega >= 0, u' = -(a + b u + k u^2). */
 typedef struct coast {
   const rot_coast_load *load;
-  const double *p;
-  double torque;                               /* T/I now */
-  double drive, d_drive, fraction, d_fraction; /* T/(I + J), I/(I + J), by the multiplier */
-  double side, a, b, k, D;                     /* D = b^2/4 - a k */
-  long steps;
-  double since, theta0, u0; /* the start of the segment */
-  rot_drag flow;
-  int exact, rests;
-  double stop;        /* when u reaches 0, from `since` on */
-  double t, theta, u; /* the present state */
-  double s[P], x[P];  /* derivatives of omega, theta */
-  int wanted;         /* the derivatives are */
+  const double *p;             /* parameters */
+  double torque;               /* present T/I */
+  double drive, d_drive;       /* T/(I + J), its derivative by the multiplier */
+  double fraction, d_fraction; /* I/(I + J), its derivative by the multiplier */
+  double side;                 /* sign of omega */
+  double a, b, k;
+  double D;                 /* b^2/4 - a k */
+  long steps;               /* since the start of the segment */
+  double since, theta0, u0; /* start of the segment */
+  rot_drag flow;            /* valid if `exact` */
+  int exact;                /* 1: b, k >= 0, the motion is that of rot_drag */
+  int rests;                /* 1: at rest in the whole segment */
+  double stop;              /* time from `since` at which u reaches 0 */
+  double t, theta, u;       /* present state */
+  double s[P], x[P];        /* derivatives of omega, theta */
+  int wanted;               /* 1: compute the derivatives */
 } coast;
 
-/* ---- the flow without conditions on the signs ------------------------------------------------ */
+/* ---- the flow for any signs of the losses ---------------------------------------------------- */
 
-/* T = tanh(s t)/s, s^2 = b^2/4 - a k; tan where that is negative. */
+/* t => T = tanh(s t)/s with s^2 = D = b^2/4 - a k; tan for D < 0 */
 static double slow_time(double D, double t) {
   const double y = D * t * t;
   if (fabs(y) < 1e-3) {
@@ -39,7 +42,7 @@ static double slow_time(double D, double t) {
   return D > 0.0 ? tanh(s * t) / s : tan(s * t) / s;
 }
 
-/* When u reaches 0. */
+/* u => time until u reaches 0, Inf if never */
 static double stop_after(const coast *c, double u) {
   const double D = c->D, lower = c->a + 0.5 * c->b * u;
   if (D < 0.0) {
@@ -53,7 +56,7 @@ static double stop_after(const coast *c, double u) {
 
 /* ---- segments ------------------------------------------------------------------------------- */
 
-/* T/(I + J) and I/(I + J); nothing acts after the release. */
+/* Sets T/(I + J) and I/(I + J); without load (`acts` 0) they are 0 and 1. */
 static void take_load(coast *c, int acts) {
   const double p = c->p[ROT_COAST_LOAD], j = c->load->added_ratio, tau = c->torque;
   const double sum = 1.0 + j * (c->load->scales ? p : 1.0);
@@ -63,7 +66,7 @@ static void take_load(coast *c, int acts) {
   c->d_fraction = acts && c->load->scales ? -j / (sum * sum) : 0.0;
 }
 
-/* A segment from here, with omega's sign, or that of the torque where omega is 0. */
+/* Begins a segment at the present state; side: sign of omega, or of the torque for omega = 0. */
 static void begin(coast *c, double omega, double side, double span) {
   const double *p = c->p;
   c->side = side;
@@ -91,12 +94,12 @@ static void begin(coast *c, double omega, double side, double span) {
   }
 }
 
-/* omega' of this segment at its speed u. */
+/* => omega' at the present u */
 static double slope_of(const coast *c) { return -c->side * (c->a + c->u * (c->b + c->k * c->u)); }
 
 /* ---- time stepping --------------------------------------------------------------------------- */
 
-/* Gauss-Legendre on (0, 1), by the number of points. */
+/* Gauss-Legendre rules on (0, 1). */
 typedef struct rule {
   int points;
   double at[8], weight[8];
@@ -115,9 +118,9 @@ static const rule rules[3] = {
      {0.05061426814518813, 0.11119051722668724, 0.15685332293894364, 0.18134189168918100,
       0.18134189168918100, 0.15685332293894364, 0.11119051722668724, 0.05061426814518813}}};
 
-/* Over h with x = rate h <= 0.4, where the integrands' poles are 1/x steps off: the error is
- * (x/4)^(2 points), below 1e-15. Follows theta, omega, and the derivatives. */
-static void pass(coast *c, double h, double x) {
+/* Advances theta, omega and the derivatives by h, x = rate h <= 0.4. The poles of the integrands
+ * are at a distance of 1/x steps, so the error is (x/4)^(2 points), below 1e-15. */
+static void step_by(coast *c, double h, double x) {
   const rule *gauss = rules + (x < 0.002 ? 0 : x < 0.025 ? 1 : 2);
   const double D = c->D, T = slow_time(D, h), u = c->u;
   const double half = 0.5 * c->b, slope = half + c->k * u, far = 1.0 + slope * T;
@@ -135,7 +138,7 @@ static void pass(coast *c, double h, double x) {
       const double v = T * gauss->at[i], rest = 1.0 / (1.0 - D * v * v), lower = 1.0 + slope * v;
       const double w = T * gauss->weight[i] * rest;
       const double at = (u * (1.0 - half * v) - c->a * v) / lower;
-      /* The derivative from here to the end is that of the whole over that so far. */
+      /* Derivative from this point to the end: that of the whole step over that up to the point. */
       const double g = w * gain * (lower * lower) * rest;
       const double r = w * (T - v) / ((1.0 - D * T * v) + (half + c->k * at) * (T - v));
       turned += gauss->weight[i] * rest * at;
@@ -167,8 +170,8 @@ static void pass(coast *c, double h, double x) {
 
 enum { FRESH = 64 };
 
-/* To the time t within the segment. Rounding adds up from step to step: where rot_drag holds, every
- * 64th step takes its state. */
+/* Advances to the time t within the segment. Rounding accumulates over the steps: if rot_drag
+ * applies, every 64th call takes its state. */
 static rot_status advance(coast *c, double t) {
   const double h = t - c->t;
   if (!(h > 0.0)) return ROT_OK;
@@ -180,7 +183,7 @@ static rot_status advance(coast *c, double t) {
     const double rate = fmax(s, fabs(0.5 * c->b + c->k * c->u));
     if (steps == MAX_STEPS || !isfinite(rate)) return ROT_ERANGE;
     const double step = rate * left <= 0.4 ? left : 0.4 / rate;
-    pass(c, step, rate * step);
+    step_by(c, step, rate * step);
     left -= step;
   }
   if (c->exact && ++c->steps % FRESH == 0) {
@@ -191,8 +194,8 @@ static rot_status advance(coast *c, double t) {
   return isfinite(c->u) && isfinite(c->theta) ? ROT_OK : ROT_ERANGE;
 }
 
-/* omega is 0: it stays so, or the torque turns it round. The derivatives of omega change by the
- * ratio of its slopes after and before. */
+/* At omega = 0: rest, or reversal by the torque. The derivatives of omega change by the ratio of
+ * omega' after and before. */
 static void meet_zero(coast *c, double span) {
   const double before = slope_of(c);
   const double side = c->drive < 0.0 ? -1.0 : 1.0;
@@ -202,7 +205,7 @@ static void meet_zero(coast *c, double span) {
   for (int i = 0; i < P; i++) c->s[i] *= factor;
 }
 
-/* Goes to t, across the stop. */
+/* Advances to t, also past the stop. */
 static rot_status go(coast *c, double t) {
   while (!c->rests && c->since + c->stop < t) {
     const double at = c->since + c->stop;
@@ -213,7 +216,7 @@ static rot_status go(coast *c, double t) {
   return advance(c, t);
 }
 
-/* The load ceases: omega' jumps, and the moment is a parameter. */
+/* Ends the load: omega' jumps, at a time that is a parameter. */
 static void release(coast *c, double span) {
   const double before = c->rests ? 0.0 : slope_of(c), omega = c->side * c->u;
   const double side = omega < 0.0 ? -1.0 : 1.0;
@@ -222,7 +225,7 @@ static void release(coast *c, double span) {
   c->s[ROT_COAST_RELEASE] += before - (c->rests ? 0.0 : slope_of(c));
 }
 
-/* The torque changes: omega' jumps, at a time that is no parameter. */
+/* Changes the torque: omega' jumps, at a time that is not a parameter. */
 static void change_torque(coast *c, double torque, double span) {
   const double omega = c->rests ? 0.0 : c->side * c->u;
   c->torque = torque;

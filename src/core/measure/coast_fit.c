@@ -9,19 +9,19 @@
 
 enum { P = ROT_COAST_PARAMETERS, ALL = ROT_COAST_ALL };
 
-/* A fit at work: the columns that are fitted, the rows of the motion. */
 typedef struct work {
   const rot_coast_record *record;
   const rot_noise *noise;
-  size_t columns;
-  int column[ALL];
-  double p[ALL];
-  double *theta, *omega, *d_theta, *d_omega; /* of the motion */
-  double *j;                                 /* n rows of `columns` */
+  size_t columns;                            /* fitted parameters */
+  int column[ALL];                           /* their indices */
+  double p[ALL];                             /* all parameters */
+  double *theta, *omega, *d_theta, *d_omega; /* motion and derivatives at the samples */
+  double *j;                                 /* Jacobian, n rows of `columns` */
   double *r;                                 /* model - data */
   double *memory;
 } work;
 
+/* Allocates the work space; w->memory is to be freed. */
 static rot_status work_begin(work *w, const rot_coast_record *record, const int fitted[],
                              const double p[], const rot_noise *noise) {
   const size_t n = record->n;
@@ -45,7 +45,7 @@ static rot_status work_begin(work *w, const rot_coast_record *record, const int 
 
 /* ---- residuals ------------------------------------------------------------------------------ */
 
-/* The runout's part of the angle at the angle x, its slope there, and the columns. */
+/* angle x => runout, its first and second derivatives by x, its derivatives by the amplitudes */
 static double runout(const double p[], double x, double *slope, double *bend, double column[]) {
   double sum = 0.0;
   *slope = *bend = 0.0;
@@ -61,13 +61,13 @@ static double runout(const double p[], double x, double *slope, double *bend, do
   return sum;
 }
 
-/* Model - data at row i; d: its derivatives by all parameters, where it is not NULL. */
+/* => model - data at row i; d (or NULL): its derivatives by all parameters */
 static double residual_at(const work *w, size_t i, int uneven, double d[ALL]) {
   const rot_coast_record *record = w->record;
   const double theta = w->theta[i], omega = w->omega[i], y = record->y[i];
   double slope = 0.0, bend = 0.0, wave[2 * ROT_COAST_HARMONICS] = {0}, extra = 0.0, r = 0.0;
   const double *x = d ? w->d_theta + i * P : NULL, *s = d ? w->d_omega + i * P : NULL;
-  /* A pulse comes at its own angle: the wave there is known without the model's error. */
+  /* A pulse has a known angle: the runout is evaluated there, without the model's error. */
   const double at = record->kind == ROT_COAST_PULSES ? y : theta;
   if (uneven) extra = runout(w->p, at, &slope, &bend, wave);
   if (record->kind == ROT_COAST_PULSES) slope = 0.0;
@@ -86,7 +86,7 @@ static double residual_at(const work *w, size_t i, int uneven, double d[ALL]) {
     }
     break;
   case ROT_COAST_PULSES:
-    /* In time: one step of Newton from the moment of the pulse. */
+    /* Residual in time: one Newton step from the time of the pulse. */
     r = (theta + extra - y) / omega;
     for (int j = 0; d && j < P; j++) d[j] = (x[j] * (1.0 + slope) - r * s[j]) / omega;
     for (int j = 0; d && j < 2 * ROT_COAST_HARMONICS; j++) d[P + j] = wave[j] / omega;
@@ -108,7 +108,7 @@ static rot_status rows_of(work *w, int derivatives) {
                         derivatives ? w->d_theta : NULL, derivatives ? w->d_omega : NULL);
 }
 
-/* The residuals and their derivatives at w->p, not whitened. */
+/* w->p => residuals and Jacobian, not whitened */
 static rot_status linearise(work *w) {
   const rot_status status = rows_of(w, 1);
   const int uneven = is_uneven(w);
@@ -125,7 +125,7 @@ static void take(work *w, const gsl_vector *x) {
   for (size_t j = 0; j < w->columns; j++) w->p[w->column[j]] = gsl_vector_get(x, j);
 }
 
-/* Where there is no motion the residuals are so large that the step is refused. */
+/* Residual where the motion cannot be computed: the solver rejects the step. */
 static const double REFUSED = 1e100;
 
 static int call_f(const gsl_vector *x, void *data, gsl_vector *f) {
@@ -158,8 +158,7 @@ static int call_df(const gsl_vector *x, void *data, gsl_matrix *jacobian) {
 
 enum { MAX_STEPS = 60 };
 
-/* The size of a step in the residuals: its square is the fall of the sum of squares that it
- * promises. */
+/* step dx => |J dx|; its square is the predicted decrease of the sum of squares */
 static double step_size(const gsl_matrix *jacobian, const gsl_vector *dx) {
   double sum = 0.0;
   for (size_t i = 0; i < jacobian->size1; i++) {
@@ -178,7 +177,7 @@ static double size_of(const gsl_vector *x) {
   return sqrt(sum);
 }
 
-/* The smallest s.d. that doubles can show. */
+/* => smallest s.d. of the residuals that the rounding of the data allows */
 static double rounding_of(const rot_coast_record *record) {
   double largest = 0.0;
   const double *y = record->kind == ROT_COAST_PULSES ? record->t : record->y;
@@ -186,7 +185,8 @@ static double rounding_of(const rot_coast_record *record) {
   return 4.0 * DBL_EPSILON * largest;
 }
 
-/* The inverse of J'J and the condition of J with columns of length 1, from its R factor. */
+/* J => covariance and its factor, condition number of J with columns of length 1; from its R factor
+ */
 static rot_status invert(const gsl_matrix *jacobian, double sigma, const work *w,
                          rot_coast_fit *fit) {
   const size_t n = jacobian->size1, m = jacobian->size2;
@@ -199,7 +199,7 @@ static rot_status invert(const gsl_matrix *jacobian, double sigma, const work *w
     length[j] = sum > 0.0 ? sqrt(sum) : 1.0;
     for (size_t i = 0; i < n; i++) q[j * n + i] = gsl_matrix_get(jacobian, i, j) / length[j];
   }
-  /* Modified Gram-Schmidt, each column twice: R is as good as that of reflections. */
+  /* Modified Gram-Schmidt, each column twice: R is as accurate as with reflections. */
   for (size_t j = 0; j < m; j++) {
     for (int round = 0; round < 2; round++) {
       for (size_t k = 0; k < j; k++) {
@@ -215,7 +215,7 @@ static rot_status invert(const gsl_matrix *jacobian, double sigma, const work *w
     for (size_t i = 0; i < n && sum > 0.0; i++) q[j * n + i] /= r[j][j];
   }
   free(q);
-  /* Upper bound within a factor m: the Frobenius norms of R and of its inverse. */
+  /* Frobenius norms of R and of its inverse: an upper bound within a factor m. */
   double norm = 0.0, inverse_norm = 0.0;
   for (size_t j = 0; j < m; j++) {
     for (size_t i = j + 1; i-- > 0;) {
@@ -244,8 +244,8 @@ static rot_status invert(const gsl_matrix *jacobian, double sigma, const work *w
   return ROT_OK;
 }
 
-/* The size of the whole Gauss-Newton step in the residuals: the part of them in the span of the
- * Jacobian's columns. */
+/* => size of the full Gauss-Newton step in the residuals: the norm of their projection on the span
+ * of the Jacobian's columns */
 static rot_status promised(const gsl_matrix *jacobian, const gsl_vector *residual, double *size) {
   const size_t n = jacobian->size1, m = jacobian->size2;
   double *q = malloc(n * m * sizeof *q), sum = 0.0;
@@ -278,6 +278,7 @@ static rot_status promised(const gsl_matrix *jacobian, const gsl_vector *residua
   return ROT_OK;
 }
 
+/* Iterates until a step is below 1e-4 standard errors, and the full step below one. */
 static rot_status iterate(gsl_multifit_nlinear_workspace *g, const work *w, double rounding,
                           const rot_hooks *hooks, rot_coast_fit *fit) {
   const size_t n = w->record->n, m = w->columns;
@@ -290,11 +291,11 @@ static rot_status iterate(gsl_multifit_nlinear_workspace *g, const work *w, doub
     const gsl_matrix *jacobian = gsl_multifit_nlinear_jac(g);
     const gsl_vector *residual = gsl_multifit_nlinear_residual(g);
     const double sigma = size_of(residual) / sqrt((double)(n - m));
-    /* 1e-4 standard errors, or no more than rounding. */
+    /* 1e-4 standard errors, or rounding. */
     if (code == GSL_SUCCESS && step_size(jacobian, g->dx) > fmax(1e-4 * sigma, 0.1 * rounding))
       continue;
-    /* A step is short at the minimum, or in a small trust region: there the whole step is long. In
-     * a valley of nearly dependent columns it stays a part of a standard error. */
+    /* A step is short at the minimum or in a small trust region; in the latter case the full step
+     * is long. For nearly dependent columns it remains a fraction of a standard error. */
     double size;
     const rot_status found = promised(jacobian, residual, &size);
     if (found != ROT_OK) return found;
@@ -304,6 +305,7 @@ static rot_status iterate(gsl_multifit_nlinear_workspace *g, const work *w, doub
   return ROT_EBUDGET;
 }
 
+/* fit->p => fit, by one trust-region method of GSL */
 static rot_status solve_by(const gsl_multifit_nlinear_trs *trs, double shrink, work *w,
                            const rot_hooks *hooks, rot_coast_fit *fit) {
   const size_t n = w->record->n;
@@ -335,7 +337,7 @@ static rot_status solve_by(const gsl_multifit_nlinear_trs *trs, double shrink, w
     memcpy(fit->p, w->p, sizeof fit->p);
     fit->squares = size * size;
     fit->sigma = fmax(size / sqrt((double)(n - w->columns)), rounding);
-    /* Rounding is the same from sample to sample: it does not average out. */
+    /* Rounding errors are equal for all samples: they do not average out. */
     status =
         invert(gsl_multifit_nlinear_jac(g), fmax(fit->sigma, rounding * sqrt((double)n)), w, fit);
   }
@@ -344,8 +346,8 @@ static rot_status solve_by(const gsl_multifit_nlinear_trs *trs, double shrink, w
   return status;
 }
 
-/* The dogleg needs half of the steps of Levenberg and Marquardt's method from a start that is not
- * far off; from one whose columns are nearly dependent it may not arrive, and that method does. */
+/* The dogleg method needs half the steps of Levenberg and Marquardt's from a start near the
+ * solution. With nearly dependent columns it may fail where the latter converges. */
 rot_status rot_coast_solve(const rot_coast_record *record, const int fitted[ROT_COAST_ALL],
                            const rot_hooks *hooks, rot_coast_fit *fit) {
   work w;
@@ -367,7 +369,7 @@ rot_status rot_coast_solve(const rot_coast_record *record, const int fitted[ROT_
 
 /* ---- noise and runout ------------------------------------------------------------------------ */
 
-/* F of the harmonics that are not fitted, at the fit, with its noise. */
+/* => F statistic and amplitudes of harmonics that are not fitted, for the fit's noise */
 static void test_runout(work *w, const int fitted[], rot_coast_fit *fit) {
   const rot_coast_record *record = w->record;
   const size_t n = record->n;
@@ -388,7 +390,7 @@ static void test_runout(work *w, const int fitted[], rot_coast_fit *fit) {
   const size_t m = all.columns;
   if (linearise(&all) == ROT_OK && rot_whiten(all.noise, n, record->t, m, all.j, NULL) == ROT_OK &&
       rot_whiten(all.noise, n, record->t, 1, all.r, NULL) == ROT_OK) {
-    /* Gram-Schmidt: what of the residual the columns explain one after the other. */
+    /* Gram-Schmidt: sums of squares explained by each column in turn. */
     double explained = 0.0, rest = 0.0, coefficient[ALL] = {0}, r[ALL][ALL] = {{0}};
     double size[ALL] = {0};
     for (size_t j = 0; j < m; j++) {
@@ -396,7 +398,7 @@ static void test_runout(work *w, const int fitted[], rot_coast_fit *fit) {
     }
     for (size_t j = 0; j < m; j++) {
       double after = 0.0, dot = 0.0, before = size[j];
-      /* A sine that vanishes at each pulse is rounding beside its cosine. */
+      /* A sine that is zero at each pulse is at rounding level compared with its cosine. */
       if (all.column[j] >= P) before += size[(all.column[j] - P) % 2 == 0 ? j + 1 : j - 1];
       for (int round = 0; round < 2; round++) {
         for (size_t k = 0; k < j; k++) {
@@ -431,7 +433,7 @@ static void test_runout(work *w, const int fitted[], rot_coast_fit *fit) {
       const size_t at = m - 2 * ROT_COAST_HARMONICS + 2 * (size_t)h;
       fit->runout_size[h] = hypot(coefficient[at], coefficient[at + 1]);
     }
-    /* A harmonic needs its two columns: of one or two pulses a turn there are fewer. */
+    /* A harmonic needs two columns; one or two pulses per turn give fewer. */
     if (fit->runout_columns > 1 && rest > 0.0) {
       fit->runout_f = explained / (double)fit->runout_columns /
                       (rest / (double)(n - w->columns - fit->runout_columns));
@@ -461,7 +463,7 @@ rot_status rot_coast_fit_noise(const rot_coast_record *record, const int fitted[
   for (int round = 0; round < 4 && status == ROT_OK; round++) {
     memcpy(w.p, fit->p, sizeof w.p);
     status = linearise(&w);
-    /* Residuals of rounding have no noise to tell. */
+    /* Residuals at rounding level: the noise is undetermined. */
     if (status != ROT_OK || fit->sigma <= 4.0 * rounding) break;
     const rot_reml last = fit->reml;
     status = rot_whiten_reml(n, record->t, w.columns, w.j, w.r, cap, threshold,
@@ -481,9 +483,9 @@ rot_status rot_coast_fit_noise(const rot_coast_record *record, const int fitted[
   return status;
 }
 
-/* ---- no loss below 0 ------------------------------------------------------------------------- */
+/* ---- losses >= 0 ----------------------------------------------------------------------------- */
 
-/* Solves A x = y, 3 x 3 at most, symmetric and positive. */
+/* (a, y) => x of a x = y in y; a symmetric positive definite, up to 3 x 3 */
 static void solve_small(size_t n, double a[3][3], double y[3]) {
   for (size_t j = 0; j < n; j++) {
     for (size_t i = j + 1; i < n; i++) {
@@ -498,8 +500,8 @@ static void solve_small(size_t n, double a[3][3], double y[3]) {
   }
 }
 
-/* Of the sets of losses held at 0 that leave no other below 0, that with the smallest increase of
- * the quadratic model. */
+/* => set of losses fixed at 0 (bits) with the smallest increase of the quadratic model, among the
+ * sets for which no other loss is negative */
 static int choose_held(const rot_coast_fit *fit, const int fitted[], int min_set) {
   int best = 7;
   double min = INFINITY;

@@ -6,17 +6,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Orders, and states: one more is the correlated part of the errors. */
+/* Max order, max states: one more for the correlated part of the errors. */
 enum { ORDERS = ROT_SMOOTH_MAX, P = ORDERS + 1, PP = P * P, CHANNELS = ROT_SMOOTH_CHANNELS };
 
-/* Standard deviation of a state that nothing is known of, in units of sigma about a polynomial
- * through the next samples. 1e3 costs 6e-4 of a standard error, 1e5 digits at small lambda. */
+/* Standard deviation of an unknown state, in units of sigma about a polynomial through the next
+ * samples. 1e3 changes results by 6e-4 of a standard error; 1e5 loses digits at small lambda. */
 static const double diffuse = 1e4;
-/* That of the first angle where no angle is measured: it is set to 0. */
+/* The same for the first angle of a record without angles: it is set to 0. */
 static const double pinned = 1e-6;
-/* Relative change of gain and variance from which on they are kept. */
+/* Relative change of gain and variance below which they are kept constant. */
 static const double settled = 1e-13;
-/* Spacings that differ by less are equal. */
+/* Relative difference below which spacings are equal. */
 static const double equal_gap = 1e-9;
 
 static const double binomial[ORDERS][ORDERS] = {
@@ -24,7 +24,7 @@ static const double binomial[ORDERS][ORDERS] = {
 
 /* ---- small matrices, by rows, `stride` apart ------------------------------------------------- */
 
-/* Upper triangle R with R'R = M'M, in the first rows of m. Householder, column by column. */
+/* m => upper triangle R with R'R = M'M, in the first rows of m, by Householder reflections */
 static void triangle(double *m, int rows, int columns, int stride) {
   for (int c = 0; c < columns && c < rows; c++) {
     double square = 0.0;
@@ -47,14 +47,16 @@ static void triangle(double *m, int rows, int columns, int stride) {
 
 /* ---- the process ----------------------------------------------------------------------------- */
 
-/* The factor of Q(1)/lambda, and the transition over the last gap. */
+/* The process and its transition over the last gap. */
 typedef struct process {
-  int p, states;
-  double root_lambda, unit[PP]; /* upper triangle of the factor at gap 1, lambda 1 */
-  double gap, keep;             /* of the last transition */
-  double a[PP], q[PP];          /* A; the factor of Q */
+  int p, states;       /* order; with the correlated part of the errors */
+  double root_lambda;  /* sqrt(lambda) */
+  double unit[PP];     /* factor of Q for gap 1, lambda 1, upper triangle */
+  double gap, keep;    /* of the last transition */
+  double a[PP], q[PP]; /* A; factor of Q */
 } process;
 
+/* (model, states) => process; the factor of Q by Cholesky's method */
 static void process_begin(process *of, const rot_smooth_model *model, int states) {
   static const double factorial[ORDERS] = {1, 1, 2, 6, 24};
   const int p = model->order;
@@ -64,7 +66,7 @@ static void process_begin(process *of, const rot_smooth_model *model, int states
   of->root_lambda = sqrt(model->lambda);
   of->gap = NAN;
   for (int i = 0; i < p; i++)
-    for (int j = 0; j <= i; j++) { /* Cholesky's L, kept as its transpose */
+    for (int j = 0; j <= i; j++) { /* Cholesky's L, stored as its transpose */
       const double scale =
           factorial[p - 1 - i] * factorial[p - 1 - j] * factorial[i] * factorial[j];
       double sum = 1.0 / ((2 * p - 1 - i - j) * scale);
@@ -78,6 +80,7 @@ static double keep_at(const rot_smooth_nodes *nodes, size_t k) {
   return nodes->keep ? nodes->keep[k] : 0.0;
 }
 
+/* (gap, correlation `keep`) => A and the factor of Q over it */
 static void process_over(process *of, double gap, double keep) {
   const int p = of->p, n = of->states;
   double power[P];
@@ -113,7 +116,7 @@ int rot_smooth_states(const rot_smooth_nodes *nodes, int order) {
   return nodes->slow ? order + 1 : order;
 }
 
-/* The s.d. of the correlated part of a sample's error, 0 where there is none. */
+/* => s.d. of the correlated part of a sample's error, 0 without one */
 static double slow_at(const rot_smooth_nodes *nodes, int channel, size_t k) {
   return nodes->slow && nodes->slow_channel == channel ? nodes->slow[k] : 0.0;
 }
@@ -128,8 +131,8 @@ static double weight(const rot_smooth_nodes *nodes, int channel, size_t k) {
   return nodes->w[channel] ? nodes->w[channel][k] : 1.0;
 }
 
-/* The polynomial by least squares through the samples that follow, as the states at node k: mean
- * and diffuse standard deviation of each. The angle of a segment without angles is 0. */
+/* k => mean and diffuse standard deviation of each state at node k, from the least-squares
+ * polynomial through the samples that follow. The angle of a segment without angles is 0. */
 static void start(const rot_smooth_nodes *nodes, int p, size_t k, double *mean, double *sd) {
   enum { MAX = 2 * P + 2 };
   double m[MAX * (P + 1)], scale = 0.0;
@@ -150,7 +153,7 @@ static void start(const rot_smooth_nodes *nodes, int p, size_t k, double *mean, 
         angles += c == ROT_SMOOTH_ANGLE;
       }
   }
-  /* Where the first samples are rates, an angle may still come. */
+  /* If the first samples are rates, an angle may follow later. */
   for (size_t i = k; angles == 0 && nodes->y[ROT_SMOOTH_ANGLE] && i < nodes->n; i++) {
     if (i > k && nodes->first[i] == ROT_SMOOTH_STARTS) break;
     angles += has(nodes, ROT_SMOOTH_ANGLE, i);
@@ -168,7 +171,7 @@ static void start(const rot_smooth_nodes *nodes, int p, size_t k, double *mean, 
     }
     row[p] = nodes->y[channels[r]][index[r]] / w;
   }
-  /* The spread of the samples in units of their spacing; a close group knows its slope badly. */
+  /* Spacing of these samples in mean spacings: the slope through a close group is inaccurate. */
   const double usual = rows > 1 ? last / (rows - 1) : 1.0;
   const int odd = !(usual > 0.1 && usual < 10.0);
   triangle(m, rows, columns, columns);
@@ -207,11 +210,12 @@ static void start(const rot_smooth_nodes *nodes, int p, size_t k, double *mean, 
 /* ---- the filter ------------------------------------------------------------------------------ */
 
 typedef struct state {
-  double x[P], s[PP]; /* mean; factor, upper triangle by rows of p */
+  double x[P];  /* mean */
+  double s[PP]; /* factor of the covariance, upper triangle by rows of p */
 } state;
 
-/* Forget the states of the motion from `first` on; the logarithm of their diffuse variances. The
- * errors go on behind a break, and begin anew at a start. */
+/* Resets the states of the motion from `first` on to diffuse ones; returns the logarithm of their
+ * variances. The correlated errors continue at a break and are reset at a start. */
 static double forget(const rot_smooth_nodes *nodes, const process *of, size_t k, int first,
                      state *at) {
   const int p = of->p, n = of->states;
@@ -241,6 +245,7 @@ static double forget(const rot_smooth_nodes *nodes, const process *of, size_t k,
   return log_variance;
 }
 
+/* state => predicted state over a gap */
 static void predict(process *of, double gap, double keep, state *at) {
   const int p = of->states;
   double x[P], m[2 * PP];
@@ -255,7 +260,7 @@ static void predict(process *of, double gap, double keep, state *at) {
       m[r * p + i] = sum;
     }
   memcpy(m + p * p, of->q, (size_t)(p * p) * sizeof *m);
-  /* The rows of Q's factor begin on its diagonal: column c needs rows c to p + c. */
+  /* triangle() for a lower block that is triangular, too: column c needs rows c to p + c only. */
   for (int c = 0; c < p; c++) {
     const int rows = p + c + 1;
     double square = 0.0;
@@ -277,7 +282,8 @@ static void predict(process *of, double gap, double keep, state *at) {
     for (int j = r; j < p; j++) at->s[r * p + j] = m[r * p + j];
 }
 
-/* One sample: the R-factor of [[w, 0], [S H', S]] by one rotation for an angle, two for a rate. */
+/* (state, sample y of s.d. w) => updated state, innovation v, its variance f, gain k. R-factor of
+ * [[w, 0], [S H', S]] by one rotation for an angle, two for a rate. */
 static void update(int p, int channel, double y, double w, state *at, double *v, double *f,
                    double *k) {
   double *s = at->s, row[P];
@@ -307,7 +313,7 @@ static void update(int p, int channel, double y, double w, state *at, double *v,
 }
 
 /* The same for a sample whose error has a correlated part: the row [w; S H'] is rotated into S from
- * below, so that S stays a triangle. */
+ * the last row up, so that S remains triangular. */
 static void update_slow(const process *of, int channel, double y, double w, double slow, state *at,
                         double *v, double *f, double *k) {
   const int n = of->states, p = of->p;
@@ -340,15 +346,18 @@ static void store_node(rot_smooth_store *store, int p, size_t k, const state *at
     for (int j = 0; j < p; j++) to[r * p + j] = j < r ? 0.0 : at->s[r * p + j];
 }
 
+/* The last node, to detect a steady state. */
 typedef struct steady {
-  int repeats;
-  double gap, keep, slow, f[CHANNELS], k[CHANNELS][P], w[CHANNELS];
-  int has[CHANNELS];
+  int repeats; /* nodes in succession with equal gain and variance */
+  double gap, keep, slow;
+  double f[CHANNELS], k[CHANNELS][P], w[CHANNELS]; /* variance, gain, s.d. of the sample */
+  int has[CHANNELS];                               /* 1: a sample in this channel */
 } steady;
 
 static int same(double a, double b) { return fabs(a - b) <= settled * fabs(b); }
 
-/* Nodes that repeat the last one: gain and variance kept. Returns the first node that does not. */
+/* Filters nodes equal to the last one with constant gain and variance; returns the first node that
+ * differs. */
 static size_t coast(const rot_smooth_nodes *nodes, process *of, const steady *kept, size_t k,
                     size_t to, state *at, rot_smooth_sums *sums) {
   const int p = of->states;
@@ -396,7 +405,7 @@ void rot_smooth_filter(const rot_smooth_nodes *nodes, const rot_smooth_model *mo
   process of;
   state at;
   const size_t settles = nodes->settles > ROT_SMOOTH_BEHIND ? nodes->settles : ROT_SMOOTH_BEHIND;
-  /* Samples of this segment, and behind its last break; a filter that goes on counts them all. */
+  /* Samples of this segment and after its last break; a continued filter counts all of them. */
   size_t seen = ROT_SMOOTH_SKIPPED, behind = settles;
   steady kept = {0, NAN, NAN, NAN, {0.0, 0.0}, {{0.0}}, {0.0, 0.0}, {0, 0}};
   process_begin(&of, model, p);
@@ -500,22 +509,24 @@ void rot_smooth_store_free(rot_smooth_store *store) {
 
 /* ---- backward -------------------------------------------------------------------------------- */
 
-/* The state at node k given that at k + 1: mean xf + G (x+ - onward), factor of what is left. */
+/* The distribution of the state x at node k given the state x+ at k + 1: mean xf + G (x+ - onward),
+ * factor of the covariance `left`. */
 typedef struct backward {
   double gain[PP];  /* G by rows */
   double left[PP];  /* factor of the covariance given x+ */
-  double onward[P]; /* the predicted mean at k + 1 */
-  int difference;   /* k + 1 starts: x+ says nothing of x */
+  double onward[P]; /* predicted mean at k + 1 */
+  int separate;     /* 1: k + 1 starts a segment, x is independent of x+ */
 } backward;
 
+/* filtered state at node k => distribution given the state at k + 1 */
 static void step_back(process *of, const rot_smooth_nodes *nodes, const rot_smooth_store *store,
                       size_t k, backward *out) {
-  const int p = of->states, simd = 2 * p, first = nodes->first[k + 1];
+  const int p = of->states, width = 2 * p, first = nodes->first[k + 1];
   const double *xf = store->x + k * (size_t)p, *sf = store->s + k * (size_t)(p * p);
   double m[2 * P * 2 * P];
-  out->difference = first == ROT_SMOOTH_STARTS;
-  if (out->difference) return;
-  memset(m, 0, (size_t)(simd * simd) * sizeof *m);
+  out->separate = first == ROT_SMOOTH_STARTS;
+  if (out->separate) return;
+  memset(m, 0, (size_t)(width * width) * sizeof *m);
   if (first == ROT_SMOOTH_FLOWS && nodes->gap[k + 1] > 0.0) {
     process_over(of, nodes->gap[k + 1], keep_at(nodes, k + 1));
     advance(of, xf, out->onward);
@@ -523,9 +534,9 @@ static void step_back(process *of, const rot_smooth_nodes *nodes, const rot_smoo
       for (int i = 0; i < p; i++) {
         double sum = 0.0;
         for (int j = i > r ? i : r; j < p; j++) sum += sf[r * p + j] * of->a[i * p + j];
-        m[r * simd + i] = sum;
-        m[r * simd + p + i] = sf[r * p + i];
-        m[(p + r) * simd + i] = of->q[r * p + i];
+        m[r * width + i] = sum;
+        m[r * width + p + i] = sf[r * p + i];
+        m[(p + r) * width + i] = of->q[r * p + i];
       }
   } else {
     const int kept = first == ROT_SMOOTH_FLOWS ? of->p : first;
@@ -535,31 +546,31 @@ static void step_back(process *of, const rot_smooth_nodes *nodes, const rot_smoo
     for (int r = 0; r < p; r++)
       for (int i = 0; i < p; i++) {
         if (i < kept || i >= of->p)
-          m[r * simd + i] = sf[r * p + i];
+          m[r * width + i] = sf[r * p + i];
         else if (i == r)
-          m[(p + r) * simd + i] = sd[i];
-        m[r * simd + p + i] = sf[r * p + i];
+          m[(p + r) * width + i] = sd[i];
+        m[r * width + p + i] = sf[r * p + i];
       }
   }
-  triangle(m, simd, simd, simd);
+  triangle(m, width, width, width);
   /* Sp G' = X */
   for (int c = 0; c < p; c++)
     for (int r = p - 1; r >= 0; r--) {
-      double sum = m[r * simd + p + c];
-      for (int j = r + 1; j < p; j++) sum -= m[r * simd + j] * out->gain[c * p + j];
-      const double pivot = m[r * simd + r];
+      double sum = m[r * width + p + c];
+      for (int j = r + 1; j < p; j++) sum -= m[r * width + j] * out->gain[c * p + j];
+      const double pivot = m[r * width + r];
       out->gain[c * p + r] = fabs(pivot) > 0.0 ? sum / pivot : 0.0;
     }
   for (int r = 0; r < p; r++)
-    for (int j = 0; j < p; j++) out->left[r * p + j] = j < r ? 0.0 : m[(p + r) * simd + p + j];
+    for (int j = 0; j < p; j++) out->left[r * p + j] = j < r ? 0.0 : m[(p + r) * width + p + j];
 }
 
-/* The smoothed state at node k from that at k + 1. */
+/* smoothed state at node k + 1 => at node k */
 static void smooth_back(const rot_smooth_store *store, int p, size_t k, const backward *back,
                         state *at) {
   const double *xf = store->x + k * (size_t)p;
   double difference[P], m[2 * PP];
-  if (back->difference) {
+  if (back->separate) {
     memcpy(at->x, xf, (size_t)p * sizeof *xf);
     memcpy(at->s, store->s + k * (size_t)(p * p), (size_t)(p * p) * sizeof *xf);
     return;
@@ -636,8 +647,8 @@ void rot_smooth_jumps(const rot_smooth_nodes *nodes, const rot_smooth_model *mod
     step_back(&of, nodes, store, k, &back);
     smooth_back(store, p, k, &back, &at);
     for (size_t i = 0; i < n; i++)
-      if (jumps[i].node == k + 1 && !back.difference) {
-        /* x+ - x = (1 - G) x+ - what is left of x */
+      if (jumps[i].node == k + 1 && !back.separate) {
+        /* x+ - x = (1 - G) x+ - (x - G x+), with independent terms */
         double m[2 * PP];
         memcpy(m, back.left, (size_t)(p * p) * sizeof *m);
         for (int r = 0; r < p; r++)
@@ -662,8 +673,8 @@ void rot_smooth_jumps(const rot_smooth_nodes *nodes, const rot_smooth_model *mod
   }
 }
 
-/* r' N^-1 r of the states from `first` on: Cholesky in units of the diagonal. NaN where N is
- * singular. */
+/* (r, N) => r' N^-1 r of the states from `first` on, by Cholesky's method in units of the diagonal;
+ * NaN for a singular N */
 static double shock_of(const double *r, const double *n, int p, int first, int order) {
   double l[PP], z[P], sum = 0.0;
   const int m = order - first;
@@ -764,17 +775,17 @@ rot_status rot_smooth_draw(const rot_smooth_nodes *nodes, const rot_smooth_model
   process_begin(&of, model, p);
   for (size_t k = nodes->n, i = n_at; status == ROT_OK && i > 0 && k-- > 0;) {
     backward back;
-    back.difference = 1;
+    back.separate = 1;
     if (k + 1 < nodes->n) step_back(&of, nodes, store, k, &back);
     const double *xf = store->x + k * each;
-    const double *factor = back.difference ? store->s + k * each * each : back.left;
+    const double *factor = back.separate ? store->s + k * each * each : back.left;
     for (size_t d = 0; d < n_draws; d++) {
       double *x = now + d * each, z[P], to[P];
       for (int r = 0; r < p; r++) z[r] = sigma * gsl_ran_gaussian_ziggurat(rng, 1.0);
       for (int c = 0; c < p; c++) {
         double sum = xf[c];
         for (int r = 0; r <= c; r++) sum += factor[r * p + c] * z[r];
-        if (!back.difference)
+        if (!back.separate)
           for (int j = 0; j < p; j++) sum += back.gain[c * p + j] * (x[j] - back.onward[j]);
         to[c] = sum;
       }

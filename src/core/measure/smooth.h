@@ -1,14 +1,15 @@
-/* Samples of an angle, of a rate, or of both, smoothed: the motion is an integrated Wiener process.
+/* Kalman smoothing of samples of an angle, a rate, or both; the motion is an integrated Wiener
+ * process.
  *
  * The state is x_i = theta^(i) h0^i / i!, i < order, with the mean spacing h0. Over a gap of s h0
  *
  *   A_ij = C(j,i) s^(j-i),
  *   Q_ij = lambda s^(2p-1-i-j) / [(2p-1-i-j) (p-1-i)! (p-1-j)! i! j!],
  *
- * variances in units of sigma^2. The error of a sample is white, or white and an Ornstein-Uhlenbeck
- * process of variance 1, which is one state more. Filter and smoother keep factors S with S'S = P
- * and never subtract covariances: no variance is negative. The plain and the Joseph form err by
- * factors of 1.1 to 5e5 behind a gap of 1000 spacings.
+ * variances in units of sigma^2. The error of a sample is white, or white plus an
+ * Ornstein-Uhlenbeck process of variance 1, an additional state. Filter and smoother use factors S
+ * with S'S = P and never subtract covariances: no variance is negative. After a gap of 1000
+ * spacings the plain form and the Joseph form are wrong by factors of 1.1 to 5e5.
  *
  * References: Park & Kailath, IEEE Trans. Automat. Contr. 40 (1995) 727 (square-root smoother);
  * de Jong & Penzer, J. Amer. Statist. Assoc. 93 (1998) 796 (scores of shocks). */
@@ -22,91 +23,98 @@
 enum { ROT_SMOOTH_MIN = 2, ROT_SMOOTH_MAX = 5 }; /* orders */
 enum { ROT_SMOOTH_ANGLE, ROT_SMOOTH_RATE, ROT_SMOOTH_CHANNELS };
 enum {
-  ROT_SMOOTH_SKIPPED = 6, /* first samples of a segment: the likelihood leaves them out */
-  ROT_SMOOTH_BEHIND = 4   /* first samples behind a break: left out where orders are compared */
+  ROT_SMOOTH_SKIPPED = 6, /* first samples of a segment, excluded from the likelihood */
+  ROT_SMOOTH_BEHIND = 4   /* first samples after a break, excluded in comparisons of orders */
 };
 
-/* How the state reaches a node. A break is a node at the time of the one before it, where the
- * states from `first` on are forgotten: 1 where omega jumps, 2 where its derivative does, 3 where
- * the derivative of that does. */
+/* Kinds of nodes. A break is a node at the time of the previous node, where the states from `first`
+ * on become diffuse: 1 if omega jumps, 2 if omega' jumps, 3 if omega'' jumps. */
 enum { ROT_SMOOTH_FLOWS = -1, ROT_SMOOTH_STARTS = 0 };
 
-/* Nodes in the order of time: samples, breaks, other times. Node 0 starts. */
+/* Nodes in order of time: samples, breaks, other times. Node 0 is a start. */
 typedef struct rot_smooth_nodes {
   size_t n;
-  const double *gap;                    /* from the node before, in h0; 0 at a break */
+  const double *gap;                    /* from the previous node, in h0; 0 at a break */
   const double *y[ROT_SMOOTH_CHANNELS]; /* rad; rad/s times h0. NaN: no sample. NULL: none */
-  const double *w[ROT_SMOOTH_CHANNELS]; /* their s.d. in units of sigma, greater than 0 */
-  const signed char *first;             /* FLOWS, STARTS, or the first state that is forgotten */
-  size_t settles; /* samples behind a start or break that comparing orders leaves out, if more */
-  /* The correlated part of the samples' errors in one channel, a state of variance 1: its s.d. in
-   * units of sigma, and its correlation with the node before, 0 to 1. NULL: none. */
-  const double *slow, *keep;
+  const double *w[ROT_SMOOTH_CHANNELS]; /* s.d. of the samples in units of sigma, > 0 */
+  const signed char *first;             /* FLOWS, STARTS, or the first diffuse state of a break */
+  size_t settles; /* samples after a start or break excluded in comparisons of orders, if more */
+  /* Correlated part of the samples' errors in one channel, a state of variance 1. NULL: none. */
+  const double *slow; /* its s.d. in units of sigma */
+  const double *keep; /* its correlation with the previous node, 0 to 1 */
   int slow_channel;
 } rot_smooth_nodes;
 
 typedef struct rot_smooth_model {
-  int order;
+  int order;     /* ROT_SMOOTH_MIN to ROT_SMOOTH_MAX */
   double lambda; /* q h0^(2 order - 1) / sigma^2 */
 } rot_smooth_model;
 
-/* States of a node: those of the motion, then the correlated part of the errors. */
+/* => number of states of a node: `order` of the motion, 1 for correlated errors */
 int rot_smooth_states(const rot_smooth_nodes *nodes, int order);
 
-/* What the filter stores of each node where the arrays are given: all, or none (NULL). */
+/* Filter results for each node. */
 typedef struct rot_smooth_store {
-  double *x, *s; /* states, states^2 of each node: filtered mean; factor by rows, upper triangle */
-  double *v[ROT_SMOOTH_CHANNELS], *f[ROT_SMOOTH_CHANNELS]; /* innovation, its variance; f 0: none */
-  double *k[ROT_SMOOTH_CHANNELS];                          /* states of each node: gain */
+  double *x;                      /* states: filtered mean */
+  double *s;                      /* states^2: factor by rows, upper triangle */
+  double *v[ROT_SMOOTH_CHANNELS]; /* innovation */
+  double *f[ROT_SMOOTH_CHANNELS]; /* its variance; 0: no sample */
+  double *k[ROT_SMOOTH_CHANNELS]; /* states: gain */
 } rot_smooth_store;
 
+/* Allocates the results of n nodes. */
 rot_status rot_smooth_store_new(rot_smooth_store *store, size_t n, int states);
+/* Frees them. */
 void rot_smooth_store_free(rot_smooth_store *store);
 
-/* Sums over the samples that count: those after the first ROT_SMOOTH_SKIPPED of a segment. The
- * diffuse variances of forgotten states are taken out of log F. */
+/* Sums over the counted samples: all but the first ROT_SMOOTH_SKIPPED of each segment. log F
+ * excludes the diffuse variances of states at breaks. */
 typedef struct rot_smooth_sums {
-  double log_f, square; /* log F and v^2/F */
-  size_t counted, samples;
-  size_t fresh;                     /* states that breaks forget */
-  double first_log_f, first_square; /* of the samples that do not count */
-  /* The same without the first samples behind each break. What a diffuse state adds to log F
-   * depends on its unit, so that orders with breaks are comparable here alone. */
+  double log_f, square;             /* sums of log F and v^2/F */
+  size_t counted, samples;          /* samples counted; all samples */
+  size_t fresh;                     /* states made diffuse by breaks */
+  double first_log_f, first_square; /* sums over the samples that are not counted */
+  /* The same without the first samples after each break. The contribution of a diffuse state to
+   * log F depends on its unit, so only these sums are comparable between orders. */
   double order_log_f, order_square;
   size_t order_counted;
 } rot_smooth_sums;
 
-/* Nodes from..to - 1; a filter that does not start at node 0 goes on from the store's node
- * from - 1. Where spacing and weights repeat and nothing is stored, the gain is kept once it
- * converges. */
+/* Filters nodes from..to - 1 => sums and, with `stores`, the results in `store`. For from > 0 it
+ * continues from the stored node from - 1. If nothing is stored and spacing and weights repeat, the
+ * gain is kept once it converges. */
 void rot_smooth_filter(const rot_smooth_nodes *nodes, const rot_smooth_model *model, size_t from,
                        size_t to, rot_smooth_store *store, int stores, rot_smooth_sums *sums);
 
-/* Smoothed means (order of each node) and the covariances of the first three states (6 of each
- * node: 00, 01, 02, 11, 12, 22; in units of sigma^2); either may be NULL. */
+/* filter results => smoothed means (`order` per node), covariances of the first three states (6 per
+ * node: 00, 01, 02, 11, 12, 22; in units of sigma^2); either may be NULL */
 void rot_smooth_smooth(const rot_smooth_nodes *nodes, const rot_smooth_model *model,
                        const rot_smooth_store *store, double *mean, double *covariance);
 
-/* The jump of the states over a break at node k (mean[order], covariance[3] of states 1 and 2: 11,
- * 12, 22; variance of state 3), from a smoother run back to it; NaN where k is none. */
+/* The jump of the states at a break. */
 typedef struct rot_smooth_jump {
-  size_t node;
-  double mean[ROT_SMOOTH_MAX], covariance[3], variance_3;
-  double after[ROT_SMOOTH_MAX], after_covariance[3]; /* the state on the far side */
+  size_t node;                  /* in: the break */
+  double mean[ROT_SMOOTH_MAX];  /* `order` numbers */
+  double covariance[3];         /* of states 1 and 2: 11, 12, 22 */
+  double variance_3;            /* of state 3 */
+  double after[ROT_SMOOTH_MAX]; /* state after the break */
+  double after_covariance[3];   /* its covariance: 11, 12, 22 */
 } rot_smooth_jump;
+
+/* filter results => jumps at n breaks, by the smoother; elements at a start are unchanged */
 void rot_smooth_jumps(const rot_smooth_nodes *nodes, const rot_smooth_model *model,
                       const rot_smooth_store *store, size_t n, rot_smooth_jump jumps[]);
 
-/* Scores: for each node the test chi^2 (times sigma^2) of a shock that reaches it in the states
- * from 1 on and of one in the last state alone, and the leave-one-out residual u/sqrt(D) (times
- * sigma) of each channel, NaN where there is no sample. Any may be NULL. */
+/* filter results => scores of each node: chi^2 (times sigma^2) of a shock in the states from 1 on,
+ * chi^2 of a shock in the last state only, leave-one-out residual u/sqrt(D) (times sigma) of each
+ * channel, NaN without a sample. Each may be NULL. */
 void rot_smooth_scores(const rot_smooth_nodes *nodes, const rot_smooth_model *model,
                        const rot_smooth_store *store, double *shock, double *last,
                        double *residual[ROT_SMOOTH_CHANNELS]);
 
-/* Draws of the states given all samples, backward from the last node (Fruehwirth-Schnatter 1994):
- * those at n_at nodes (increasing), into draws[(d n_at + i) order + state], with the seed's normal
- * numbers. */
+/* (filter results, seed) => random draws of the states given all samples, at n_at nodes
+ * (increasing): draws[(d n_at + i) order + state]. Backward from the last node
+ * (Fruehwirth-Schnatter 1994). */
 rot_status rot_smooth_draw(const rot_smooth_nodes *nodes, const rot_smooth_model *model,
                            const rot_smooth_store *store, double sigma, size_t n_at,
                            const size_t at[], size_t n_draws, unsigned long seed,

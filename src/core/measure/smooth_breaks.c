@@ -6,34 +6,42 @@
 
 enum { CHANNELS = ROT_SMOOTH_CHANNELS };
 
-/* A sample is left out beyond 4.5 leave-one-out s.d. A shock of a state that is not there exceeds
- * 11 to 22 once in 100 records of 200 to 5000 samples; those that were there gave 48 to 366. */
+/* A sample is excluded beyond 4.5 leave-one-out s.d. The score of an absent shock exceeds 11 to 22
+ * once in 100 records of 200 to 5000 samples; actual shocks gave 48 to 366. */
 static const double outlier = 4.5 * 4.5, shock_level = 25.0;
-/* A kink of the acceleration is one state: where there is none, the largest score is 5 to 16. With
- * the kink and the smoothness found anew, those of torque ramps have 38 to 95, others up to 28 (350
+/* A kink of the acceleration is a shock of one state: without one the largest score is 5 to 16.
+ * After the kink and the smoothness are fitted, torque ramps have 38 to 95, others up to 28 (350
  * coast-downs). */
 static const double kink_level = 10.0, kink_shows = 30.0;
-enum { IMPACT = 1, SWITCH = 2, KINK = 3 }; /* the first state that is forgotten */
-enum { FROM_END = 4, DIFFERENCE = 5, NEIGHBOURS = 2, POINTS = 20, ROUNDS = 400 };
+enum { IMPACT = 1, SWITCH = 2, KINK = 3 }; /* the first diffuse state */
+enum {
+  FROM_END = 4,   /* min samples between a break and an end or another break */
+  SPACING = 5,    /* min samples between new breaks */
+  NEIGHBOURS = 2, /* samples compared with an outlier on each side */
+  POINTS = 20,    /* of a grid of times */
+  ROUNDS = 400    /* max changes */
+};
 static const double golden = 0.6180339887498949;
 
 /* ---- the time of a break --------------------------------------------------------------------- */
 
-/* The part of a record about a break, with the breaks of that part. */
+/* The part of a record around one break, with the breaks of that part. */
 typedef struct window {
   rot_smooth_record part;
   rot_smooth_grid grid;
   rot_smooth_break *breaks;
-  size_t n, at; /* breaks; the one in question */
+  size_t n;  /* breaks in the window */
+  size_t at; /* index of the break studied */
   const rot_smooth_fit *fit;
-  size_t first; /* sample of the record */
+  size_t first; /* index of the window's first sample in the record */
 } window;
 
-/* The smoother forgets over some lambda^(-1/(2p)) samples. */
+/* => memory of the smoother in samples, about lambda^(-1/(2p)) */
 static double memory_of(const rot_smooth_fit *fit) {
   return pow(fit->model.lambda, -0.5 / fit->model.order);
 }
 
+/* (record, break `which`) => window around it; window_close() in each case */
 static rot_status window_open(window *w, const rot_smooth_record *record, double unit_s,
                               const rot_smooth_fit *fit, size_t n_breaks,
                               const rot_smooth_break *breaks, size_t which) {
@@ -86,7 +94,7 @@ static void window_close(window *w) {
   rot_smooth_grid_free(&w->grid);
 }
 
-/* -2 log L of the window with the break at this time, or without it (NaN). */
+/* => -2 log L of the window with the break at this time, without it for NaN */
 static double window_try(window *w, double time_s, int first) {
   rot_smooth_sums sums;
   double sigma;
@@ -111,7 +119,8 @@ static double window_try(window *w, double time_s, int first) {
   return value;
 }
 
-/* The best time between a and b for this level: points, then golden section. */
+/* => best time between a and b for a break of kind `first`, by a grid and golden section; *min: its
+ * -2 log L */
 static double window_time(window *w, double a, double b, int first, double *min) {
   double at = a, best = HUGE_VAL;
   const double step = (b - a) / (POINTS - 1);
@@ -151,8 +160,8 @@ static int is_kept(const rot_smooth_record *record, size_t i) {
   return 0;
 }
 
-/* The time at which FROM_END samples lie between a break and what comes before it (side -1) or
- * behind it (1): the end of the part or another break. */
+/* => limit of the break's time for which FROM_END samples lie between it and the end of the window
+ * or the next break, before it (side -1) or after it (1) */
 static double nearest(const window *w, int side) {
   const size_t n = w->part.n;
   const int more = side < 0 ? w->at > 0 : w->at + 1 < w->n;
@@ -166,9 +175,9 @@ static double nearest(const window *w, int side) {
   return side < 0 ? HUGE_VAL : -HUGE_VAL;
 }
 
-/* Time and level of one break by likelihood at the fit's smoothness, in the interval of `before`
- * samples before it to `after` behind it; a kink stays one. `gain`: by how much -2 log L with its
- * penalty falls. */
+/* Optimizes time and kind of one break by likelihood at the fit's smoothness, from `before` samples
+ * before it to `after` samples after it; a kink remains a kink. `gain`: decrease of -2 log L with
+ * its penalty. */
 static rot_status place(const rot_smooth_record *record, double unit_s, const rot_smooth_fit *fit,
                         size_t n_breaks, rot_smooth_break *breaks, size_t which, int before,
                         int after, double *gain) {
@@ -251,9 +260,9 @@ typedef struct finding {
   const rot_hooks *hooks;
   rot_smooth_grid grid;
   rot_smooth_store store;
-  double *shock, *kink, *residual[CHANNELS]; /* of each node */
-  double *worst;                             /* of each sample: the largest squared residual */
-  unsigned char *tried, *no_kink;            /* no break here */
+  double *shock, *kink, *residual[CHANNELS]; /* scores of each node, then of each sample */
+  double *worst;                             /* of each sample: max squared residual */
+  unsigned char *tried, *no_kink;            /* 1: no break, no kink at this sample */
   rot_smooth_break *breaks;
   size_t n_breaks;
   rot_smooth_fit fit;
@@ -263,6 +272,7 @@ static int segment_of(const finding *of, size_t i) {
   return of->record->segment ? of->record->segment[i] : 0;
 }
 
+/* fit => scores and worst residual of each sample */
 static rot_status look(finding *of) {
   const size_t n = of->record->n;
   const double variance = of->fit.sigma * of->fit.sigma;
@@ -274,7 +284,7 @@ static rot_status look(finding *of) {
   for (size_t i = 0; i < n; i++) {
     const size_t k = of->grid.sample[i];
     since = i > 0 && segment_of(of, i) == segment_of(of, i - 1) ? since + 1 : 0;
-    /* At the ends a shock and an outlier have the same residuals. */
+    /* Near the ends the residuals of a shock and of an outlier are equal. */
     const int inside =
         since >= FROM_END && i + FROM_END < n && segment_of(of, i + FROM_END) == segment_of(of, i);
     of->worst[i] = 0.0;
@@ -288,7 +298,8 @@ static rot_status look(finding *of) {
   return rot_poll(of->hooks, 0.0);
 }
 
-/* Leaves out samples: local maxima beyond the limit and above the shocks beside them. */
+/* Excludes samples that are local maxima beyond the limit and above the scores of shocks next to
+ * them; returns their number. */
 static size_t leave_out(finding *of) {
   const size_t n = of->record->n;
   size_t left = 0;
@@ -310,9 +321,9 @@ static size_t leave_out(finding *of) {
   return left;
 }
 
-/* The sample with the largest score above `level` where a break may be, `apart` samples from others
- * and `inside` samples within its segment, or n. */
-static size_t highest(const finding *of, const double *score, double level, size_t difference,
+/* => sample with the largest score above `level`, at least `spacing` samples from breaks and
+ * `inside` samples from the ends of its segment; n if none */
+static size_t highest(const finding *of, const double *score, double level, size_t spacing,
                       size_t inside, const unsigned char *tried) {
   const size_t n = of->record->n;
   size_t best = n, b = 0;
@@ -323,8 +334,8 @@ static size_t highest(const finding *of, const double *score, double level, size
         i >= inside && i + inside < n && segment_of(of, i - inside) == segment_of(of, i + inside);
     for (b = 0; b < of->n_breaks && free_of; b++) {
       if (of->breaks[b].segment != segment_of(of, i)) continue;
-      const size_t low = i >= difference ? i - difference : 0,
-                   high = i + difference < n ? i + difference : n - 1;
+      const size_t low = i >= spacing ? i - spacing : 0,
+                   high = i + spacing < n ? i + spacing : n - 1;
       const double t = of->breaks[b].time_s;
       free_of = t < of->record->time_s[low] || t > of->record->time_s[high];
     }
@@ -335,6 +346,7 @@ static size_t highest(const finding *of, const double *score, double level, size
   return best;
 }
 
+/* Inserts a break into the ordered list; *at: its index. */
 static void insert(finding *of, double time_s, int segment, int first, size_t *at) {
   size_t i = of->n_breaks;
   while (i > 0 && (of->breaks[i - 1].segment > segment ||
@@ -349,8 +361,8 @@ static void insert(finding *of, double time_s, int segment, int first, size_t *a
   *at = i;
 }
 
-/* Does leaving out one sample beside a break explain the record as well as the break, of which -2
- * log L with its penalty is lower by `gain`? If so, it is left out. */
+/* *is: 1 if excluding one sample next to a break lowers -2 log L with its penalty by at least
+ * `gain`, the decrease due to the break; then the sample is excluded. */
 static rot_status rather_sample(finding *of, size_t k, size_t at, double gain, int *is) {
   const size_t n = of->record->n, low = k > FROM_END ? k - FROM_END : 0;
   size_t worst = n;
@@ -392,7 +404,7 @@ static rot_status refit(finding *of, int all) {
                            all ? NULL : &near, of->hooks, &of->fit);
 }
 
-/* The square of the jump at a kink over its variance. */
+/* => squared jump at a kink over its variance */
 static double kink_score(finding *of, size_t at) {
   rot_smooth_sums sums;
   rot_smooth_jump jump;
@@ -404,8 +416,8 @@ static double kink_score(finding *of, size_t at) {
   return jump.mean[KINK] * jump.mean[KINK] / (jump.variance_3 * of->fit.sigma * of->fit.sigma);
 }
 
-/* Puts a kink at sample k. Smoothness is found anew with it, since kinks are what the process was
- * rough for. */
+/* Inserts a kink at sample k and fits its time and the smoothness in turn: without the kink the
+ * process was fitted too rough. */
 static rot_status put_kink(finding *of, size_t k, size_t *at, double *score) {
   const int reach = 2 + (int)fmin(memory_of(&of->fit), (double)of->record->n);
   rot_status status = ROT_OK;
@@ -422,13 +434,12 @@ static rot_status put_kink(finding *of, size_t k, size_t *at, double *score) {
 }
 
 static size_t next_kink(const finding *of) {
-  const size_t difference =
-      DIFFERENCE + 2 * (size_t)fmin(memory_of(&of->fit), (double)of->record->n);
-  return highest(of, of->kink, kink_level, difference, difference, of->no_kink);
+  const size_t spacing = SPACING + 2 * (size_t)fmin(memory_of(&of->fit), (double)of->record->n);
+  return highest(of, of->kink, kink_level, spacing, spacing, of->no_kink);
 }
 
-/* Kinks of the acceleration, where the torque's slope jumps: one that is significant alone, or two
- * that are significant jointly. `spare`: room for more breaks. */
+/* Adds kinks of the acceleration, where the torque's slope jumps: one significant alone, or two
+ * significant jointly. `spare`: number of breaks that may be added. */
 static rot_status add_kink(finding *of, size_t spare, size_t *changes, int *more) {
   const size_t n = of->record->n, k = next_kink(of);
   const size_t memory = (size_t)fmin(memory_of(&of->fit), (double)n);
@@ -454,7 +465,7 @@ static rot_status add_kink(finding *of, size_t spare, size_t *changes, int *more
     }
   }
   if (status == ROT_OK && score > kink_shows) {
-    memset(of->no_kink, 0, n); /* beside a smoother motion the others show more */
+    memset(of->no_kink, 0, n); /* others may be significant for the smoother motion */
     ++*changes;
     return status;
   }
@@ -464,7 +475,7 @@ static rot_status add_kink(finding *of, size_t spare, size_t *changes, int *more
   return status;
 }
 
-/* Samples, then breaks, at this order. */
+/* Excludes samples, then adds breaks, at this order, until neither is found. */
 static rot_status settle(finding *of, size_t given, size_t *changes) {
   rot_status status = ROT_OK;
   for (int round = 0; round < ROUNDS && status == ROT_OK; round++) {
@@ -476,8 +487,8 @@ static rot_status settle(finding *of, size_t given, size_t *changes) {
       continue;
     }
     if (!of->how->breaks || of->n_breaks - given >= of->how->max_breaks) return ROT_OK;
-    const size_t k = highest(of, of->shock, shock_level, DIFFERENCE, 0, of->tried);
-    /* What a kink explains nearly as well is tried as one first. */
+    const size_t k = highest(of, of->shock, shock_level, SPACING, 0, of->tried);
+    /* A shock that a kink explains nearly as well is first tried as a kink. */
     if (k == of->record->n || of->shock[k] - of->kink[k] < 0.5 * shock_level) {
       int more;
       status = add_kink(of, of->how->max_breaks - (of->n_breaks - given), changes, &more);
@@ -501,7 +512,7 @@ static rot_status settle(finding *of, size_t given, size_t *changes) {
       }
     }
     if (status == ROT_OK && gain > 0.0) status = refit(of, 0);
-    /* Smoothness was chosen with the break inside: place it again. */
+    /* The smoothness changed with the break: optimize its time again. */
     if (status == ROT_OK && gain > 0.0)
       status =
           place(of->record, of->grid.unit_s, &of->fit, of->n_breaks, of->breaks, at, 3, 3, &gain);
@@ -511,7 +522,7 @@ static rot_status settle(finding *of, size_t given, size_t *changes) {
     } else {
       take_out(of, at);
       of->fit = kept;
-      /* The places beside it were tried with it. */
+      /* The adjacent samples were tried with it. */
       of->tried[k] = of->tried[k + 1] = 1;
       if (k > 0) of->tried[k - 1] = 1;
     }
@@ -519,8 +530,8 @@ static rot_status settle(finding *of, size_t given, size_t *changes) {
   return status;
 }
 
-/* -2 log L of the whole record with log n for every state that is forgotten and sample left out
- * beside a break, at the fit's smoothness. */
+/* => -2 log L of the whole record at the fit's smoothness, plus log n for each diffuse state and
+ * each of `left` excluded samples */
 static double total(finding *of, const rot_smooth_break *breaks, size_t n_breaks, long left) {
   rot_smooth_sums sums;
   double sigma;
@@ -531,7 +542,7 @@ static double total(finding *of, const rot_smooth_break *breaks, size_t n_breaks
   return value + log((double)of->record->n) * ((double)sums.fresh + (double)left);
 }
 
-/* Below order 4 there is no state that a kink forgets. */
+/* Removes kinks below order 4, which has no such state. */
 static void drop_kinks(finding *of) {
   if (of->fit.model.order > KINK) return;
   for (size_t b = of->n_breaks; b-- > 0;)
@@ -553,15 +564,16 @@ static double toggle(finding *of, size_t i, double w) {
   return kept;
 }
 
-/* Breaks that may be better than those of the finding. */
+/* Best alternative list of breaks. */
 typedef struct better {
   rot_smooth_break *breaks;
-  size_t n, sample; /* left out, or taken back; the record's n: none */
-  double value;
+  size_t n;      /* breaks */
+  size_t sample; /* excluded or included again; the record's n: none */
+  double value;  /* total() */
 } better;
 
-/* Each sample beside break j of the list `from`, left out or taken back, with the break placed
- * again: the best goes into `best` if it is better. */
+/* Excludes, or includes again, each sample next to break j of the list `from`, and optimizes the
+ * break; updates `best`. */
 static rot_status beside(finding *of, const rot_smooth_break *from, size_t m, size_t j,
                          rot_smooth_break *trial, better *best) {
   enum { BESIDE = 3 };
@@ -589,9 +601,9 @@ static rot_status beside(finding *of, const rot_smooth_break *from, size_t m, si
   return status;
 }
 
-/* A sample that is off beside a break attracts more breaks. Tries each break away, and each sample
- * beside one left out or taken back, with the breaks around placed again; takes what is better.
- * `room` holds three lists of breaks. */
+/* An outlier next to a break attracts additional breaks. Tries to remove each break, and to exclude
+ * or include again each sample next to it, with the breaks nearby optimized; keeps improvements.
+ * `room`: work space of three lists of breaks. */
 static rot_status polish(finding *of, rot_smooth_break *room, size_t max, size_t *changes) {
   const size_t n = of->record->n;
   const double near_s = 12.0 * of->grid.unit_s;
@@ -678,7 +690,7 @@ rot_status rot_smooth_find(rot_smooth_record *record, const rot_smooth_finding *
     for (size_t i = 0; how->breaks && i < of.n_breaks && status == ROT_OK; i++)
       if (of.breaks[i].first != KINK) status = place_in(&of, of.breaks, of.n_breaks, i);
     if (status == ROT_OK && of.n_breaks > given) status = refit(&of, 0);
-    /* Samples that are joined have no scatter beside which one would be off. */
+    /* Interpolated samples have no scatter, so none is an outlier. */
     if (status == ROT_OK && of.fit.end == ROT_SMOOTH_JOINS) {
       for (int c = 0; c < CHANNELS; c++)
         if (record->y[c]) memcpy(record->w[c], weights + (size_t)c * record->n, size);

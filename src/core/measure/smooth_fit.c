@@ -7,11 +7,11 @@
 
 enum { CHANNELS = ROT_SMOOTH_CHANNELS, ANGLE = ROT_SMOOTH_ANGLE, RATE = ROT_SMOOTH_RATE };
 
-/* Order 3 must predict better than 4 by this in -2 log L. On 60 random spin-ups the error of alpha
- * is smaller by 6 % than without it, of pendulums by 3 %, of stops larger by 0.4 %. */
+/* Advantage in -2 log L that order 3 needs over order 4. On 60 random spin-ups it reduces the error
+ * of alpha by 6 %, on pendulums by 3 %; on stops it increases it by 0.4 %. */
 static const double reluctance = 8.0;
 
-/* The range of log10 lambda, its grid, and the width at which the search ends. */
+/* Upper end of log10 lambda, width at which the search ends, points of its grid. */
 static const double highest = 6.0, width = 0.02;
 enum { GRID = 13 };
 static const double golden = 0.6180339887498949;
@@ -57,7 +57,7 @@ static int is_before(int segment, double time_s, int other_segment, double other
   return segment < other_segment || (segment == other_segment && time_s < other_s);
 }
 
-/* The record's clock of correlation at a time between the samples i - 1 and i of a segment. */
+/* => time in correlation times at time_s, between the samples i - 1 and i of a segment */
 static double clock_at(const rot_smooth_record *record, size_t i, int segment, double time_s) {
   const int here = i < record->n && (!record->segment || record->segment[i] == segment);
   const int before = i > 0 && (!record->segment || record->segment[i - 1] == segment);
@@ -80,7 +80,7 @@ void rot_smooth_grid_fill(rot_smooth_grid *grid, const rot_smooth_record *record
   while (i < record->n || b < n_breaks || o < n_others) {
     const int si = i < record->n && record->segment ? record->segment[i] : 0;
     const int so = o < n_others && others->segment ? others->segment[o] : 0;
-    /* At one time: the break, the sample, the other. */
+    /* Order at equal times: break, sample, other time. */
     const int break_next =
         b < n_breaks &&
         (i == record->n ||
@@ -175,22 +175,22 @@ double rot_smooth_objective(const rot_smooth_nodes *nodes, const rot_smooth_mode
   return left * 2.0 * log(*sigma) + sums->log_f + sums->square / (*sigma * *sigma);
 }
 
-/* The same of the samples by which orders are compared. */
+/* => the same for the samples with which orders are compared */
 static double order_objective(const rot_smooth_sums *sums, double floor) {
   const double n = (double)sums->order_counted;
   const double variance = fmax(n > 0.0 ? sums->order_square / n : 0.0, floor * floor);
   return n * log(variance) + sums->order_log_f + sums->order_square / variance;
 }
 
-/* What a search at one order and ratio looks at. */
 typedef struct search {
   const rot_smooth_grid *grid;
-  double floor;
+  double floor; /* lower limit of sigma */
   const rot_hooks *hooks;
   rot_status status;
-  rot_smooth_fit best;
+  rot_smooth_fit best; /* so far */
 } search;
 
+/* => objective at a model; updates the best fit */
 static double try_at(search *of, int order, double log_lambda) {
   const rot_smooth_model model = {order, pow(10.0, log_lambda)};
   rot_smooth_sums sums;
@@ -208,7 +208,7 @@ static double try_at(search *of, int order, double log_lambda) {
   return value;
 }
 
-/* The least value between a and d, where one between them is lower than both. */
+/* Golden section between a and d, between which a value is below both. */
 static void section(search *of, int order, double a, double d) {
   double b = d - golden * (d - a), c = a + golden * (d - a);
   double at_b = try_at(of, order, b), at_c = try_at(of, order, c);
@@ -236,6 +236,7 @@ static int end_of(const rot_smooth_grid *grid, const rot_smooth_model *model) {
                                                        : ROT_SMOOTH_WITHIN;
 }
 
+/* Best lambda of an order: near a given log10 lambda, or (NaN) by a grid. */
 static void search_lambda(search *of, int order, double near) {
   const double low = lowest(of->grid, order), step = (highest - low) / (GRID - 1);
   double at[GRID];
@@ -256,6 +257,7 @@ static void search_lambda(search *of, int order, double near) {
           low + (best < GRID - 1 ? best + 1 : best) * step);
 }
 
+/* Best order and lambda, in of->best. */
 static rot_status search_orders(search *of, int first_order, int last_order,
                                 const rot_smooth_fit *near) {
   rot_smooth_fit best;
@@ -292,7 +294,7 @@ rot_status rot_smooth_search(rot_smooth_grid *grid, const rot_smooth_record *rec
   search of = {grid, 0.0, hooks, ROT_OK, {{0, 0.0}, 1.0, 0.0, HUGE_VAL, NAN, 0, 0, 0}};
   double ratio = near ? near->ratio : 1.0;
   rot_status status;
-  if (both && !near) { /* each channel alone */
+  if (both && !near) { /* initial ratio from separate fits of the channels */
     double sigma[CHANNELS];
     for (int c = 0; c < CHANNELS; c++) {
       rot_smooth_record alone = *record;
@@ -306,7 +308,7 @@ rot_status rot_smooth_search(rot_smooth_grid *grid, const rot_smooth_record *rec
     }
     ratio = sigma[RATE] / sigma[ANGLE];
   }
-  if (both) { /* the ratio by sections about that, lambda kept near */
+  if (both) { /* golden section for the ratio, with lambda searched near the last one */
     const double reach = near ? log(1.5) : log(4.0);
     double a = log(ratio) - reach, d = log(ratio) + reach, value[2], u[2];
     rot_smooth_fit held = {{0, 0.0}, 1.0, 0.0, HUGE_VAL, NAN, 0, 0, 0};
@@ -340,21 +342,21 @@ rot_status rot_smooth_search(rot_smooth_grid *grid, const rot_smooth_record *rec
   return ROT_OK;
 }
 
-/* ---- the order and smoothness of what lies between breaks ------------------------------------ */
+/* ---- order and smoothness with known breaks -------------------------------------------------- */
 
-/* Memories behind a start or break until no order pays for its diffuse states any more. With the
- * first six samples alone left out, order 5 lost to 4 by 30 to 50 in -2 log L on every coast-down
- * whose alpha it has with half the error. */
+/* Memories after a start or break in which diffuse states affect the prediction. With only the
+ * first six samples excluded, order 5 lost to 4 by 30 to 50 in -2 log L on all coast-downs on which
+ * its alpha has half the error. */
 static const double settling = 4.0;
-/* Where the motion is smoother than the process (an oscillation), the likelihood takes too large a
- * lambda: Wahba, Ann. Statist. 13 (1985) 1378. Steps in log10 lambda, by how much each must lower
- * n log GCV, and their number. Without that limit coast-downs lose 5 % of alpha by chance. */
+/* For motions smoother than the process (oscillations) the likelihood gives too large a lambda:
+ * Wahba, Ann. Statist. 13 (1985) 1378. Step in log10 lambda, decrease of n log GCV that each step
+ * needs, max steps. Without the required decrease coast-downs lose 5 % of alpha by chance. */
 static const double lower = 0.25, enough = 0.5;
 enum { LOWER = 5 };
 
-/* n times the logarithm of the generalised cross-validation score RSS/(n - edf)^2. With S = sum
- * v^2/F and D = sum log F over all samples, RSS = S + dS/d log lambda, and edf is dD/d log lambda
- * and a degree for each diffuse state. Differences over .25 decades were off by 1. */
+/* => n times the logarithm of the generalised cross-validation score RSS/(n - edf)^2. With S = sum
+ * v^2/F and D = sum log F over all samples, RSS = S + dS/d log lambda and edf = dD/d log lambda + 1
+ * for each diffuse state. Differences over .25 decades were wrong by 1. */
 static double cross_validation(const rot_smooth_nodes *nodes, int order, double log_lambda) {
   const double half = 0.05;
   double square[2], log_f[2], n = 0.0, left = 0.0;
@@ -374,8 +376,8 @@ static double cross_validation(const rot_smooth_nodes *nodes, int order, double 
   return left > 1.0 && rss > 0.0 ? n * (log(rss) - 2.0 * log(left)) : HUGE_VAL;
 }
 
-/* The best lambda of the order above that of a fit, by parabolas: begins at the same memory, some
- * smaller (spin-ups, stops, pendulums lie within .6 of that). */
+/* fit => best fit of the next higher order, by parabolic interpolation in lambda. Starts at the
+ * same memory, slightly reduced (the solution is within .6 for spin-ups, stops, pendulums). */
 static rot_status next_order(search *of, const rot_smooth_fit *fit, rot_smooth_fit *next) {
   const int order = fit->model.order + 1;
   const double low = lowest(of->grid, order);
@@ -390,7 +392,7 @@ static rot_status next_order(search *of, const rot_smooth_fit *fit, rot_smooth_f
   }
   while (of->status == ROT_OK && at[2] - at[0] > 3.0 * width) {
     const int min = value[0] < value[1] ? 0 : value[2] < value[1] ? 2 : 1;
-    if (min != 1) { /* further down this side */
+    if (min != 1) { /* extend the bracket on this side */
       step *= 1.6;
       const double to = at[min] + (min - 1) * step;
       if (to < low || to > highest) break;
@@ -402,7 +404,7 @@ static rot_status next_order(search *of, const rot_smooth_fit *fit, rot_smooth_f
     const double a = at[0] - at[1], c = at[2] - at[1];
     const double fa = (value[0] - value[1]) / a, fc = (value[2] - value[1]) / c;
     double by = 0.5 * (a * fc - c * fa) / (fc - fa);
-    /* A third of the longer side at most, and a third of `width` at least. */
+    /* At most 0.4 of the longer side, at least half of `width`. */
     if (!(by > 0.4 * a && by < 0.4 * c)) by = 0.4 * (by > 0.0 || !(by < 0.0) ? c : a);
     if (fabs(by) < width / 2.0) by = c > -a ? width / 2.0 : -width / 2.0;
     const double tried = try_at(of, order, at[1] + by);
@@ -435,7 +437,7 @@ rot_status rot_smooth_refine(const rot_smooth_record *record, size_t n_breaks,
   const double floor = rot_smooth_floor(&grid, record, fit->ratio);
   search from = {&grid, floor, hooks, ROT_OK, *fit};
   of[best] = *fit;
-  /* Order 3 was chosen for a motion that is rough (a stop that was not found). */
+  /* Order 3 means a rough motion (a stop that was not detected): no higher order. */
   const int last = best > 3 ? last_order : best;
   for (int order = best; order <= last && status == ROT_OK; order++) {
     if (order > best) status = next_order(&from, &of[order - 1], &of[order]);
@@ -452,7 +454,7 @@ rot_status rot_smooth_refine(const rot_smooth_record *record, size_t n_breaks,
   grid.nodes.settles = 0;
   const double at = log10(of[best].model.lambda);
   double before = 0.0, lambda = of[best].model.lambda;
-  /* The score is one of white errors: of most samples at least. */
+  /* The score is valid for white errors: at least half of the samples must have them. */
   size_t slow = 0;
   for (size_t i = 0; record->slow && i < record->n; i++) slow += record->slow[i] > 0.0;
   for (int step = 0; step <= LOWER && status == ROT_OK && 2 * slow <= record->n; step++) {

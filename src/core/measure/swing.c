@@ -6,8 +6,8 @@
 
 enum { P = ROT_SWING_PARAMETERS, ORDER = 22, TERMS = ORDER + 1 };
 
-/* Time is omega0 t: the series of a spring converge everywhere, those of a pendulum to pi/2 at
- * least. Half a period is pi. */
+/* Max step of time omega0 t: the series of a spring converge everywhere, those of a pendulum at
+ * least to pi/2. Half a period is pi. */
 static const double LONGEST_STEP = 1.5;
 
 /* ---- the series ----------------------------------------------------------------------------- */
@@ -22,22 +22,22 @@ typedef struct state {
   double d_theta[P], d_omega[P];
 } state;
 
-/* In units of time 1/omega0. */
+/* Parameters in units of time 1/omega0. */
 typedef struct scaled {
   double decay, coulomb, quadratic; /* gamma/omega0, a/omega0^2, k */
   double omega0;
   int spring;
 } scaled;
 
-/* sum a_j b_(k-j) */
+/* => sum a_j b_(k-j) */
 static double product(const double a[], const double b[], int k) {
   double sum = 0.0;
   for (int j = 0; j <= k; j++) sum += a[j] * b[k - j];
   return sum;
 }
 
-/* (state, direction of the motion, +1 or -1) => series. Those of the derivatives are by the scaled
- * numbers; the one by omega0 stays 0 here and is made in row_at(). */
+/* (state, direction of the motion, +1 or -1) => series. Derivatives are by the scaled parameters;
+ * that by omega0 is 0 here and computed in row_at(). */
 static void expand(const scaled *law, const state *from, double side, series *out) {
   double sine[TERMS], cosine[TERMS], square[TERMS];
   out->theta[0] = from->theta;
@@ -82,7 +82,7 @@ static void expand(const scaled *law, const state *from, double side, series *ou
   }
 }
 
-/* The step at which the last two terms are below rounding of the largest. */
+/* => step at which the last two terms are below rounding of the largest */
 static double reach_of(const double c[]) {
   double size = 0.0, reach = LONGEST_STEP;
   for (int k = 0; k < 4; k++) size = fmax(size, fabs(c[k]));
@@ -121,7 +121,7 @@ static void state_at(const series *s, double x, state *out) {
   }
 }
 
-/* The zero in (0, end] of a function that has the sign `side` after 0 and not at the end. */
+/* => zero in (0, end] of a function that has the sign `side` after 0 and not at the end */
 static double zero_of(double (*f)(const double[], double), const double c[], double side,
                       double end) {
   double low = 0.0, high = end;
@@ -140,11 +140,11 @@ static double zero_of(double (*f)(const double[], double), const double c[], dou
 typedef struct motion {
   scaled law;
   state now;
-  double side;  /* direction of the motion; 0 at rest for ever */
+  double side;  /* direction of the motion; 0: permanent rest */
   double phase; /* omega0 (t - start) */
   series s;
-  double step; /* of the series: to here, or to the turning point */
-  int turns;
+  double step;  /* length of the series' step, at most to the turning point */
+  int turns;    /* 1: the step ends at a turning point */
   double steps; /* so far */
 } motion;
 
@@ -152,7 +152,7 @@ static double restoring(const scaled *law, double theta) {
   return law->spring ? theta : sin(theta);
 }
 
-/* Where the rate is 0 the body moves on towards the centre, unless friction holds it. */
+/* => direction after a turning point: towards the centre, or 0 if static friction is sufficient */
 static double side_from_rest(const scaled *law, double theta) {
   const double pull = -restoring(law, theta);
   return fabs(pull) > law->coulomb ? (pull > 0.0) - (pull < 0.0) : 0.0;
@@ -164,6 +164,7 @@ static int finite_state(const state *x) {
   return isfinite(sum);
 }
 
+/* swing => motion at the start; ROT_EVALUE for invalid parameters */
 static rot_status begin(const rot_swing *swing, motion *m) {
   const double *const p = swing->p;
   const double w = p[ROT_SWING_OMEGA0];
@@ -176,7 +177,7 @@ static rot_status begin(const rot_swing *swing, motion *m) {
                     w, swing->spring};
   m->now.theta = p[ROT_SWING_THETA];
   m->now.omega = p[ROT_SWING_OMEGA] / w;
-  /* By the scaled numbers: start angle, start rate, -, decay, coulomb, quadratic. */
+  /* Derivatives by the scaled parameters: start angle, start rate, -, decay, coulomb, quadratic. */
   m->now.d_theta[ROT_SWING_THETA] = 1.0;
   m->now.d_omega[ROT_SWING_OMEGA] = 1.0;
   m->side = m->now.omega > 0.0   ? 1.0
@@ -185,7 +186,7 @@ static rot_status begin(const rot_swing *swing, motion *m) {
   return ROT_OK;
 }
 
-/* The series from now on. */
+/* present state => series, its step */
 static rot_status look_ahead(motion *m) {
   if (m->side == 0.0) {
     m->step = HUGE_VAL;
@@ -200,7 +201,8 @@ static rot_status look_ahead(motion *m) {
   return ROT_OK;
 }
 
-/* Swings take 1 to 5 steps a unit of time; losses that take many more are no swing. */
+/* Advances by the step. Oscillations take 1 to 5 steps per unit of time; ROT_EBUDGET for losses
+ * that take many more. */
 static rot_status step_ahead(motion *m) {
   if (++m->steps > 1000.0 + 20.0 * m->phase) return ROT_EBUDGET;
   state_at(&m->s, m->step, &m->now);
@@ -221,8 +223,9 @@ static rot_status step_ahead(motion *m) {
   return finite_state(&m->now) ? ROT_OK : ROT_ERANGE;
 }
 
-/* The value and its derivatives by p at x after now, from those by the scaled numbers:
- * theta(t) = f(omega0 t; theta, omega/omega0, decay/omega0, coulomb/omega0^2, quadratic). */
+/* => value and its derivatives by p at x after the present state, from those by the scaled
+ * parameters: theta(t) = f(omega0 t; theta, omega/omega0, decay/omega0, coulomb/omega0^2,
+ * quadratic). */
 static void row_at(const motion *m, const rot_swing *swing, double x, double *value,
                    double derivative[]) {
   const double w = m->law.omega0, *const p = swing->p;

@@ -13,7 +13,7 @@ static void cross(const double a[3], const double b[3], double out[3]) {
   out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/* Right-handed axes t1, t2, n. */
+/* normal => right-handed unit axes t1, t2, n */
 static void contact_axes(const double normal[3], double e[3][3]) {
   double n[3], *t1 = e[0], *t2 = e[1];
   int exponent;
@@ -33,15 +33,15 @@ static void contact_axes(const double normal[3], double e[3][3]) {
   cross(t2, e[2], t1);
 }
 
-/* x/d 2^exponent without overflow on the way. */
+/* => x/d 2^exponent without intermediate overflow */
 static double ratio(double x, double d, int exponent) {
   int a, b;
   const double xm = frexp(x, &a), dm = frexp(d, &b);
   return ldexp(xm / dm, a - b + exponent);
 }
 
-/* The rows of the body in G, K = G' G: what an impulse along e_k does to the body, by the root of
- * its inertia. */
+/* => rows of the body in G, where K = G' G: the angular response to an impulse along e_k, weighted
+ * by the root of the inertia. Returns 0 for a moment about an axis without inertia. */
 static int response(const rot_collide_body *body, double e[3][3], double rows[3][3]) {
   const double far = sqrt(dot(body->arm, body->arm));
   for (int j = 0; j < 3; j++)
@@ -59,7 +59,7 @@ static int response(const rot_collide_body *body, double e[3][3], double rows[3]
   return 1;
 }
 
-/* R of the rows, upper triangular with a positive diagonal, by Givens rotations. */
+/* n rows => R, upper triangular with a positive diagonal, by Givens rotations */
 static void triangle(int n, double g[][3], double r[3][3]) {
   memset(r, 0, 9 * sizeof r[0][0]);
   for (int i = 0; i < n; i++) {
@@ -77,7 +77,7 @@ static void triangle(int n, double g[][3], double r[3][3]) {
   }
 }
 
-/* Velocity of the point of contact. */
+/* => velocity of the body at the point of contact */
 static void velocity_at(const rot_collide_body *body, double u[3]) {
   cross(body->omega, body->arm, u);
   for (int i = 0; i < 3; i++) u[i] += body->v[i];
@@ -118,7 +118,7 @@ rot_collide_status rot_collide(const rot_collide_input *in, rot_collide_end *end
   if (!(isfinite(w[0]) && isfinite(w[1]) && isfinite(w[2]))) return ROT_COLLIDE_BEYOND;
   if (!(w[2] < 0.0)) return ROT_COLLIDE_OK;
 
-  /* Units of 2^mass for G, of 2^speed for u. */
+  /* G in units of 2^mass, u in units of 2^speed. */
   int mass, speed;
   double max = 0.0;
   for (int i = 0; i < 9; i++)

@@ -3,25 +3,31 @@
 #include <math.h>
 #include <string.h>
 
-/* Terms of the series of a step, and steps. A slip that stops takes some 15. */
-enum { TERMS = 24, MAX_STEPS = 5000 };
+enum {
+  TERMS = 24,      /* of the series of a step */
+  MAX_STEPS = 5000 /* a slip that stops takes some 15 */
+};
 
-/* A slip below this part of the velocity is a rounding of it: stick. */
+/* Slip relative to the velocity that counts as 0, stick: rounding. */
 static const double slip_gone = 0x1p-60;
 
 typedef enum phase { COMPRESSION, RESTITUTION, ENDED } phase;
 
-/* dp = (-a t, b) dq along the slip t, with a/b the friction. */
+/* dp = (-a t, b) dq along the slip direction t, with a/b the friction coefficient. */
 typedef struct flow {
   const rot_contact *c;
   double a, b;
-  double slip, t[2]; /* speed and direction of the slip */
-  double normal;     /* u_n */
-  double p[3];
-  double start, speed;          /* |u_n|, the larger of slip and |u_n| */
-  double compressed, restored;  /* works, >= 0 */
-  double compression_p, target; /* p_n where compression ended; what ends the restitution */
-  double heat;
+  double slip;          /* speed, >= 0 */
+  double t[2];          /* direction of the slip, unit vector */
+  double normal;        /* u_n */
+  double p[3];          /* impulse so far */
+  double start;         /* |u_n| at the start */
+  double speed;         /* max of slip and |u_n| at the start */
+  double compressed;    /* work of compression, >= 0 */
+  double restored;      /* work of restitution, >= 0 */
+  double compression_p; /* p_n at the end of compression */
+  double target;        /* work, p_n or u_n that ends the restitution, by the law */
+  double heat;          /* work of friction, >= 0 */
   phase phase;
 } flow;
 
@@ -42,7 +48,7 @@ static void begin_restitution(flow *f) {
 
 /* ---- constant rates: stick, a fixed direction of slip, no friction --------------------------- */
 
-/* The length q > 0 with u q + h q^2/2 = c; Inf where there is none. */
+/* => length q > 0 with u q + h q^2/2 = c; Inf if there is none */
 static double length_of_work(double u, double h, double c) {
   const double square = u * u + 2.0 * h * c;
   if (!(square >= 0.0)) return HUGE_VAL;
@@ -50,13 +56,14 @@ static double length_of_work(double u, double h, double c) {
   return below > 0.0 ? 2.0 * c / below : HUGE_VAL;
 }
 
-/* Along dp = dir dq for at most `most`, with the rates of u_n and of the slip. */
+/* Integrates dp = dir dq up to q = max or the end of the collision, with constant rates of u_n and
+ * of the slip. */
 static void straight(flow *f, const double dir[3], double rate, double slip_rate, double friction,
                      double max) {
   double left = max;
   while (f->phase != ENDED && left > 0.0) {
     const double u = f->normal, b = dir[2];
-    /* Up through 0 ends the compression; down through 0 begins another one. */
+    /* u_n increasing through 0 ends the compression; decreasing, it starts another one. */
     const int meets = f->phase == COMPRESSION ? rate > 0.0 : rate < 0.0;
     const double zero = meets ? fmax(0.0, -u / rate) : HUGE_VAL;
     double end = HUGE_VAL, q = left;
@@ -71,7 +78,7 @@ static void straight(flow *f, const double dir[3], double rate, double slip_rate
       q = fmin(q, end);
     }
     if (zero <= q && zero < end) q = zero;
-    if (!(q < HUGE_VAL)) { /* nothing ends it: only beyond double precision */
+    if (!(q < HUGE_VAL)) { /* no end: the numbers exceed double precision */
       f->normal = NAN;
       f->phase = ENDED;
       return;
@@ -96,24 +103,24 @@ static void straight(flow *f, const double dir[3], double rate, double slip_rate
   }
 }
 
-/* ---- the direction of a slip that starts from rest ------------------------------------------- */
+/* ---- direction of a slip that starts from rest ----------------------------------------------- */
 
-/* The unit vector t and the rate r > 0 with (a Ktt + r) t = b k: the one direction along which a
- * slip can grow. */
+/* => unit vector t, rate r > 0 with (a Ktt + r) t = b k: the only direction in which a slip can
+ * grow */
 static double outward(const rot_contact *c, double a, double b, double t[2]) {
   const double k0 = a * c->k[0][0], k1 = a * c->k[1][1], k01 = a * c->k[0][1];
   const double half = 0.5 * (k0 - k1), length = hypot(half, k01);
   const double mean = 0.5 * (k0 + k1);
   const double large = mean + length, det = k0 * k1 - k01 * k01;
   const double small = large > 0.0 ? fmax(0.0, det / large) : 0.0;
-  /* Exact where the axes are the contact's. */
+  /* Exact if the contact axes are principal axes. */
   const double angle = 0.5 * atan2(k01, half);
   const double across_x = half < 0.0 ? 1.0 : 0.0;
   const double x[2] = {k01 == 0.0 ? 1.0 - across_x : cos(angle),
                        k01 == 0.0 ? across_x : sin(angle)};
   const double along = b * (c->k[0][2] * x[0] + c->k[1][2] * x[1]);
   const double across = b * (c->k[1][2] * x[0] - c->k[0][2] * x[1]);
-  /* 1/|..| - 1 is concave in r and grows: Newton's steps approach the root from one side. */
+  /* 1/|..| - 1 is concave and increasing in r: Newton's steps approach the root from one side. */
   double r = 0.0, lo = 0.0, hi = hypot(along, across);
   for (int i = 0; i < 100; i++) {
     const double f1 = along / (large + r), f2 = across / (small + r);
@@ -136,7 +143,7 @@ static double rate_along(const flow *f, const double dir[3]) {
   return c->k[2][0] * dir[0] + c->k[2][1] * dir[1] + c->k[2][2] * dir[2];
 }
 
-/* From no slip to the end. */
+/* Integrates from zero slip to the end: stick within the friction cone, else slip. */
 static void from_stick(flow *f) {
   const double(*r)[3] = f->c->root;
   double q[2];
@@ -153,12 +160,17 @@ static void from_stick(flow *f) {
   straight(f, dir, rate_along(f, dir), grows, f->a, HUGE_VAL);
 }
 
-/* ---- slip that turns: Taylor series in tau, dq = slip dtau ----------------------------------- */
+/* ---- slip of changing direction: Taylor series in tau, dq = slip dtau ------------------------ */
 
 typedef struct series {
-  double c[TERMS], s[TERMS];                                     /* the direction */
-  double slip[TERMS], normal[TERMS], rise[TERMS];                /* speed, u_n, du_n/dq */
-  double q[TERMS], x[TERMS], y[TERMS], work[TERMS], heat[TERMS]; /* int dq, t dq, u_n dq, slip dq */
+  double c[TERMS], s[TERMS]; /* direction */
+  double slip[TERMS];        /* speed */
+  double normal[TERMS];      /* u_n */
+  double rise[TERMS];        /* du_n/dq */
+  double q[TERMS];           /* int dq */
+  double x[TERMS], y[TERMS]; /* int t dq */
+  double work[TERMS];        /* int u_n dq */
+  double heat[TERMS];        /* int slip dq */
 } series;
 
 static double product(const double a[], const double b[], int n) {
@@ -179,6 +191,7 @@ static double slope(const double a[], double x) {
   return sum;
 }
 
+/* state => coefficients of all series, term by term */
 static void expand(const flow *f, series *z) {
   const double(*k)[3] = f->c->k;
   const double a = f->a, b = f->b;
@@ -207,8 +220,8 @@ static void expand(const flow *f, series *z) {
   }
 }
 
-/* The step for which the last two terms are below rounding: of the direction, and of velocities and
- * energies relative to the largest. */
+/* => step for which the last two terms are below rounding: of the direction, and of velocities and
+ * energies relative to the largest */
 static double reach(const series *z, double speed) {
   double step = HUGE_VAL;
   for (int n = TERMS - 2; n < TERMS; n++) {
@@ -220,7 +233,7 @@ static double reach(const series *z, double speed) {
   return fmin(step, 64.0);
 }
 
-/* The zero of a(x) - c between 0 and `hi`, where it changes its sign: Newton, halving. */
+/* => zero of a(x) - c, which changes sign between 0 and `hi`, by Newton's method and bisection */
 static double zero_of(const double a[], double c, double hi) {
   const int rises = a[0] < c;
   double lo = 0.0, x = 0.5 * hi;
@@ -238,6 +251,7 @@ static double zero_of(const double a[], double c, double hi) {
   return x;
 }
 
+/* Advances the state by tau. */
 static void commit(flow *f, const series *z, double tau) {
   const double work = f->b * value(z->work, tau);
   if (f->phase == COMPRESSION)
@@ -255,7 +269,7 @@ static void commit(flow *f, const series *z, double tau) {
   f->t[1] = s / size;
 }
 
-/* One step; u_n changes in one direction within it. */
+/* One step, in which u_n is monotonic, up to a change of phase or the end. */
 static void turn(flow *f) {
   series z;
   expand(f, &z);
@@ -338,7 +352,7 @@ int rot_contact_flow(const rot_contact *contact, const double u[3], rot_contact_
       const double across = rate[1] * f.t[0] - rate[0] * f.t[1];
       if (fabs(across) > 0x1p-51 * size) {
         turn(&f);
-      } else { /* the direction stays */
+      } else { /* constant direction */
         straight(&f, dir, rate_along(&f, dir), along, f.a,
                  along < 0.0 ? f.slip / -along : HUGE_VAL);
         if (f.phase != ENDED) f.slip = 0.0;

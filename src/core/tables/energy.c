@@ -12,7 +12,7 @@ void rot_energy_partition(size_t n, const rot_energy_input *in, const rot_energy
     out->translational_j[i] = translational;
     out->rotational_j[i] = beta * translational;
     out->total_j[i] = (1.0 + beta) * translational;
-    if (!(translational > 1e-290 && translational < 1e290)) { /* beta may bring it back */
+    if (!(translational > 1e-290 && translational < 1e290)) { /* times beta it may be in range */
       out->rotational_j[i] = rot_product(5, (double[]){0.5, beta, m, v, v}, 1.0);
       out->total_j[i] = rot_product(5, (double[]){0.5, 1.0 + beta, m, v, v}, 1.0);
     }

@@ -14,6 +14,7 @@ typedef struct rot_energy_output {
   double *inertia_kg_m2, *omega_rad_per_s, *translational_j, *rotational_j, *total_j;
 } rot_energy_output;
 
+/* n rows => moment of inertia, angular velocity, energies of each */
 void rot_energy_partition(size_t n, const rot_energy_input *in, const rot_energy_output *out);
 
 #endif

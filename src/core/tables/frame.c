@@ -5,9 +5,9 @@
 #include "ground/dd_trig.h"
 #include "ground/real.h"
 
-/* ---- over the ground ------------------------------------------------------------------------- */
+/* ---- relative to the ground ------------------------------------------------------------------ */
 
-/* (y - sin y)/y^2. Below 1 by its series: the terms fall by 1/42 and more. */
+/* y => (y - sin y)/y^2. Series for |y| < 1: the terms decrease by a factor of 42 or more. */
 static double sine_lack(double y) {
   if (fabs(y) >= 1.0) return (y - sin(y)) / y / y;
   const double y2 = y * y;
@@ -16,13 +16,13 @@ static double sine_lack(double y) {
   return y * sum;
 }
 
-/* (1 - cos y)/y^2 */
+/* y => (1 - cos y)/y^2 */
 static double cosine_lack(double y) {
   const double h = 0.5 * y, s = h == 0.0 ? 1.0 : sin(h) / h;
   return 0.5 * s * s;
 }
 
-/* (1 - cos y)/y^2 - 1/2 */
+/* y => (1 - cos y)/y^2 - 1/2 */
 static double cosine_rest(double y) {
   if (fabs(y) >= 1.0) return cosine_lack(y) - 0.5;
   const double y2 = y * y;
@@ -33,8 +33,8 @@ static double cosine_rest(double y) {
 
 static double sine_over(double y) { return y == 0.0 ? 1.0 : sin(y) / y; }
 
-/* The axis of rotation is (0, c, s) in east, north, up. Across it lie east and (0, s, -c), and
- * there the velocity turns by -2 Omega t. */
+/* The axis of rotation is (0, c, s) in east, north, up. In the plane normal to it, along east and
+ * (0, s, -c), the velocity rotates by -2 Omega t. */
 rot_projectile rot_frame_projectile(const rot_projectile_input *in) {
   rot_projectile out;
   const double c = rot_sin_deg(90.0 - fabs(in->latitude_deg)), s = rot_sin_deg(in->latitude_deg);
@@ -52,7 +52,7 @@ rot_projectile rot_frame_projectile(const rot_projectile_input *in) {
     out.r_m[0] = v[0] * t + east;
     out.r_m[1] = v[1] * t + out.deflection_m[1];
     out.r_m[2] = v[2] * t - 0.5 * g * t * t + out.deflection_m[2];
-  } else { /* the parabola is far away */
+  } else { /* the position is far from the parabola: computed directly */
     const double r1 = g * c * t * t * lack + t * (v1 * sine_over(y) + v2 * turn);
     const double r2 = g * c * t * t * cosine_lack(y) + t * (v2 * sine_over(y) - v1 * turn);
     const double r3 = along * t - 0.5 * g * s * t * t;
@@ -70,21 +70,21 @@ rot_projectile rot_frame_projectile(const rot_projectile_input *in) {
   out.first_order_m[0] = omega * t * t * (s * v[1] - c * v[2] + g * c * t / 3.0);
   out.first_order_m[1] = -omega * t * t * s * v[0];
   out.first_order_m[2] = omega * t * t * c * v[0];
-  /* |y - sin y| <= |y|^3/6, and so on, for every y */
+  /* |y - sin y| <= |y|^3/6 and so on, for each y */
   const double h = fabs(y);
   out.first_order_error_m = hypot(v1, v2) * fabs(t) * h * h * (1.0 / 6.0 + h / 24.0) +
                             fabs(g * c) * t * t * h * h * (1.0 / 24.0 + h / 120.0);
   return out;
 }
 
-/* The depth after a time, and its rate. */
+/* t => depth, its rate */
 static double depth(double omega, double c, double s, double g, double t, double *rate) {
   const double y = 2.0 * omega * t;
   *rate = g * t * (c * c * sine_over(y) + s * s);
   return g * t * t * (c * c * cosine_lack(y) + 0.5 * s * s);
 }
 
-/* Where the rate passes from + to -. */
+/* => time of the largest depth, where the rate changes from + to - */
 static double deepest_between(double omega, double c, double s, double g, double low, double high) {
   for (int i = 0; i < 60; i++) {
     const double t = 0.5 * (low + high);
@@ -102,7 +102,7 @@ static double deepest_between(double omega, double c, double s, double g, double
 double rot_frame_fall_time(double omega, double latitude_deg, double g, double height) {
   const double c = rot_sin_deg(90.0 - fabs(latitude_deg)), s = rot_sin_deg(latitude_deg);
   if (height == 0.0) return 0.0;
-  /* It falls at most g t^2/2, so not before this time. */
+  /* The depth is at most g t^2/2: a lower bound of the time. */
   double low = sqrt(height / g) * sqrt(2.0), high = low, rate;
   if (!isfinite(low)) return NAN;
   const double step = fmin(low, omega == 0.0 ? low : 0.25 / fabs(omega));
@@ -112,7 +112,7 @@ double rot_frame_fall_time(double omega, double latitude_deg, double g, double h
     low = high;
     high += i == 0 ? step * 0x1p-20 : i < 20 ? step * ldexp(1.0, i - 20) : step;
     if (falls && depth(omega, c, s, g, high, &rate) < height && rate < 0.0) {
-      /* Near the equator it turns back: the deepest place between may be deep enough. */
+      /* Near the equator the body rises again: check the largest depth in between. */
       const double deepest = deepest_between(omega, c, s, g, low, high);
       if (depth(omega, c, s, g, deepest, &rate) >= height) high = deepest;
     }
@@ -133,7 +133,7 @@ double rot_frame_fall_time(double omega, double latitude_deg, double g, double h
   return high;
 }
 
-/* Cosine and sine of rate t, whose phase is known to twice the precision. */
+/* (rate, t) => cosine and sine of rate t, with the phase to twice the precision */
 static void phase_at(rot_dd rate, double t, double *cosine, double *sine) {
   const rot_dd x = rot_dd_mul1(rate, t);
   rot_dd s, c;
@@ -141,13 +141,13 @@ static void phase_at(rot_dd rate, double t, double *cosine, double *sine) {
     rot_dd_sine_cosine(x, &s, &c);
     *cosine = c.hi;
     *sine = s.hi;
-  } else { /* no digit of it is known */
+  } else { /* the phase is undetermined */
     *cosine = cos(x.hi);
     *sine = sin(x.hi);
   }
 }
 
-/* Omega sin(latitude). */
+/* => Omega sin(latitude) */
 static rot_dd turning_rate(double omega, double latitude_deg) {
   static const rot_dd half_turn = {0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53};
   rot_dd s, c;
@@ -156,7 +156,7 @@ static rot_dd turning_rate(double omega, double latitude_deg) {
   return rot_dd_mul1(s, omega);
 }
 
-/* sqrt(gravity/length + turn^2) */
+/* => sqrt(gravity/length + turn^2) */
 static rot_dd swing_rate(double gravity, double length, rot_dd turn) {
   int eg, el;
   const double nu = hypot(sqrt(gravity / length), turn.hi);
@@ -200,7 +200,7 @@ double rot_frame_angle(double rate, double beta, double t) {
   return fabs(angle.hi) < 0x1p52 ? rot_dd_less_double_turns(angle).hi : angle.hi;
 }
 
-/* ---- into a frame and out of it -------------------------------------------------------------- */
+/* ---- to a rotating frame and back ------------------------------------------------------------ */
 
 static void cross(const double a[3], const double b[3], double out[3]) {
   out[0] = a[1] * b[2] - a[2] * b[1];
@@ -208,7 +208,7 @@ static void cross(const double a[3], const double b[3], double out[3]) {
   out[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/* Turned about a unit axis. */
+/* (unit axis, angle, x) => x rotated */
 static void rotate(const double axis[3], double angle, const double x[3], double out[3]) {
   const double sine = sin(angle), half = sin(0.5 * angle);
   double over[3], twice[3];

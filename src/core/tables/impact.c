@@ -10,7 +10,7 @@ rot_bounce rot_impact_bounce(const rot_bounce_input *in) {
   out.normal_impulse = -(1.0 + e) * m * in->vy;
   out.vy = -e * in->vy;
   out.normal_loss = 0.5 * m * (1.0 - e) * (1.0 + e) * in->vy * in->vy;
-  /* What stops the slip, and what also gives a share of it back. */
+  /* Impulse that stops the slip; with tangential restitution. */
   const double et = in->tangential, stop = m * fabs(u) * fraction, stick = (1.0 + et) * stop;
   const double max = in->friction * out.normal_impulse;
   out.sticks = stick <= max;
@@ -18,7 +18,7 @@ rot_bounce rot_impact_bounce(const rot_bounce_input *in) {
   out.friction_impulse = u > 0.0 ? -size : size;
   out.vx = in->vx + out.friction_impulse / m;
   out.omega = in->omega - out.friction_impulse / (m * in->beta * r);
-  /* The slip falls from |u| to the rest evenly with the impulse: the mean of both counts. */
+  /* The slip changes linearly with the impulse: its mean gives the loss. */
   const double left = out.sticks ? -et * fabs(u) : fabs(u) * (1.0 - max / stop);
   out.friction_loss = 0.5 * size * (fabs(u) + left);
   return out;
@@ -43,7 +43,7 @@ rot_hinged rot_impact_hinged(const rot_hinged_input *in) {
 
 rot_rims rot_impact_rims(const rot_rims_input *in) {
   const double r1 = in->radius[0], r2 = in->radius[1];
-  /* The rims move along each other with r1 omega1 + r2 omega2. */
+  /* Relative velocity of the rims: r1 omega1 + r2 omega2. */
   const double slip = r1 * in->omega[0] + r2 * in->omega[1], e = in->restitution;
   const double give[2] = {r1 * r1 / in->inertia[0], r2 * r2 / in->inertia[1]};
   const double stop = fabs(slip) / (give[0] + give[1]), stick = (1.0 + e) * stop;

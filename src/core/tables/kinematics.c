@@ -6,9 +6,9 @@
 
 /* ---- numbers with 106 bits and a separate exponent ------------------------------------------
  *
- * (hi + lo) 2^e, with |hi| in [1/2, 1) and lo below half a unit of hi's last place, or all zero.
- * Products of doubles are exact. A sum has a relative error of 3 2^-106, also where it cancels
- * (Joldes, Muller & Popescu 2017, algorithm 6), and no intermediate result overflows. */
+ * (hi + lo) 2^e, with |hi| in [1/2, 1) and lo below half an ulp of hi, or all zero. Products of
+ * doubles are exact. A sum has a relative error of 3 2^-106, also where it cancels (Joldes, Muller
+ * & Popescu 2017, algorithm 6), and no intermediate result overflows. */
 typedef struct extended {
   double hi, lo;
   int e;
@@ -42,6 +42,7 @@ static extended times(extended x, extended y) {
   return normal(hi, lo + (x.hi * y.lo + x.lo * y.hi), x.e + y.e);
 }
 
+/* (x, y) => x + y, aligned to the larger exponent */
 static extended plus(extended x, extended y) {
   double lo, far, farther;
   if (x.hi == 0.0) return y;
@@ -52,7 +53,7 @@ static extended plus(extended x, extended y) {
     y = swap;
   }
   const int shift = y.e - x.e;
-  if (shift < -220) return x; /* less than the last bit of x */
+  if (shift < -220) return x; /* y is below the last bit of x */
   const double hi = rot_two_sum(x.hi, ldexp(y.hi, shift), &lo);
   far = rot_two_sum(x.lo, ldexp(y.lo, shift), &farther);
   lo += far;
@@ -78,8 +79,8 @@ static extended root(extended x) {
 
 /* ---- the ten cases --------------------------------------------------------------------------
  *
- * Six of them; the other four are the same with time reversed: omega0 and omega are exchanged, time
- * and angle change sign. */
+ * Functions for seven of them; the other three follow by time reversal, which exchanges omega0 and
+ * omega and changes the signs of time and angle. */
 enum {
   THETA = 1 << ROT_MOTION_THETA,
   OMEGA0 = 1 << ROT_MOTION_OMEGA0,
@@ -140,7 +141,8 @@ static rot_motion_kind from_start_alpha_time(double x[ROT_MOTION_SIZE]) {
 }
 
 /* omega = +-s with s^2 = omega0^2 + 2 alpha theta. With q = omega0 + sign(omega0) s, which does not
- * cancel, the times are 2 theta/q for the omega of omega0's sign and -q/alpha for the other. */
+ * cancel, the times are 2 theta/q for the omega with the sign of omega0 and -q/alpha for the other.
+ */
 static rot_motion_kind from_start_alpha_angle(double x[2][ROT_MOTION_SIZE]) {
   const extended before = extended_of(x[0][ROT_MOTION_OMEGA0]),
                  alpha = extended_of(x[0][ROT_MOTION_ALPHA]);
@@ -178,14 +180,14 @@ static rot_motion_kind from_start_time_angle(double x[ROT_MOTION_SIZE]) {
     x[ROT_MOTION_OMEGA] = x[ROT_MOTION_OMEGA0];
     return ROT_MOTION_UNDETERMINED;
   }
-  const extended direction =
-      times(before, t); /* omega t = 2 theta - omega0 t: one division, at the end */
-  x[ROT_MOTION_OMEGA] = narrow(over(plus(scaled(theta, 1), minus(direction)), t));
-  x[ROT_MOTION_ALPHA] = narrow(scaled(over(plus(theta, minus(direction)), times(t, t)), 1));
+  /* omega t = 2 theta - omega0 t: one division, at the end. */
+  const extended turned = times(before, t);
+  x[ROT_MOTION_OMEGA] = narrow(over(plus(scaled(theta, 1), minus(turned)), t));
+  x[ROT_MOTION_ALPHA] = narrow(scaled(over(plus(theta, minus(turned)), times(t, t)), 1));
   return ROT_MOTION_ONE;
 }
 
-/* theta + sign alpha t^2/2. The product of three factors has 159 bits, and theta may cancel the
+/* => theta + sign alpha t^2/2. The product of three factors has 159 bits and theta may cancel the
  * first hundred: exact partial products are added in descending order. */
 static extended angle_with_half(extended theta, extended alpha, extended t, double sign) {
   const extended rate = times(alpha, t);
@@ -276,7 +278,7 @@ double rot_total_acceleration(double omega, double alpha, double radius) {
                rot_centripetal_acceleration(omega, radius));
 }
 
-/* omega^2 may overflow where the angle does not: its power of two is moved to alpha. */
+/* omega^2 may overflow for a finite angle: its power of two is moved to alpha. */
 double rot_acceleration_angle(double omega, double alpha) {
   int e = 0;
   const double m = frexp(omega, &e);
@@ -293,7 +295,7 @@ static const struct {
 #undef X
 };
 
-/* With frexp(), so that the low part of the product neither underflows nor is NaN at infinity. */
+/* frexp() keeps the low part of the product from underflow, and from NaN at infinity. */
 double rot_convert_angle(double x, rot_angle_unit unit) {
   int e = 0;
   const double m = frexp(x, &e);

@@ -1,12 +1,12 @@
-/* Motion about an axle at constant angular acceleration, the motion of a point on the body, and
- * units of angles.
+/* Motion about an axle at constant angular acceleration, motion of a point on the body, units of
+ * angles.
  *
  *   omega = omega0 + alpha t,   theta = omega0 t + alpha t^2/2,
  *   theta = (omega0 + omega) t/2,   omega^2 = omega0^2 + 2 alpha theta
  *
  * Any three of the five quantities give the other two: ten cases, with two solutions where the
- * equation for omega^2 is solved. Numbers have 106 bits and a separate exponent, so results are
- * good to 0.51 ulp for the given doubles, with any cancellation and at any scale.
+ * equation for omega^2 is solved. Numbers have 106 bits and a separate exponent, so results have an
+ * error of at most 0.51 ulp for the given doubles, for any cancellation and any scale.
  * Source: Goldstein, Classical Mechanics, 3rd ed., section 1.1 (fixed axis: one coordinate). */
 #ifndef ROT_KINEMATICS_H
 #define ROT_KINEMATICS_H
@@ -28,27 +28,30 @@ typedef enum rot_motion_kind {
   ROT_MOTION_IMPOSSIBLE = 0,   /* the three are inconsistent: the other two are NaN */
   ROT_MOTION_ONE = 1,          /* x[0] is the motion */
   ROT_MOTION_TWO = 2,          /* x[0] and x[1], the smaller time first */
-  ROT_MOTION_UNDETERMINED = -1 /* the three do not determine the motion: x[0] has what they do */
+  ROT_MOTION_UNDETERMINED = -1 /* the motion is not unique: x[0] has the values that are */
 } rot_motion_kind;
 
-/* `given` has the bits (1 << ROT_MOTION_THETA, ...) of the three values in x[0], finite or NaN. A
- * NaN is passed on to the other two. */
+/* Three values in x[0], finite or NaN, of the bits `given` (1 << ROT_MOTION_THETA, ...) => the
+ * other two. NaN if a given value is NaN. */
 rot_motion_kind rot_motion_solve(unsigned given, double x[2][ROT_MOTION_SIZE]);
 
-/* A point at a distance from the axle. Tangential values have a sign; the angle is that of the
- * acceleration from the inward radius, positive in the direction of motion: atan2(alpha, omega^2),
- * at the axle its limit. */
+/* Point at a distance from the axle => tangential speed, signed */
 double rot_tangential_speed(double omega, double radius);
+/* => tangential acceleration, signed */
 double rot_tangential_acceleration(double alpha, double radius);
+/* => omega^2 radius */
 double rot_centripetal_acceleration(double omega, double radius);
+/* => size of the acceleration */
 double rot_total_acceleration(double omega, double alpha, double radius);
+/* => angle of the acceleration from the inward radius, positive in the direction of motion:
+ * atan2(alpha, omega^2), the limit at the axle */
 double rot_acceleration_angle(double omega, double alpha);
 
-/* mass (position - about) x vector: the torque of a force for mass 1, else an angular momentum. One
- * rounding where the components do not cancel to less than 1e-15 of their terms. */
+/* => mass (position - about) x vector: the torque of a force for mass 1, else an angular momentum.
+ * One rounding, unless a component cancels to less than 1e-15 of its terms. */
 void rot_moment(double mass, const double position[3], const double about[3],
                 const double vector[3], double out[3]);
-/* mass radius size sin(angle): the same by the angle from the radius to the vector. */
+/* => mass radius size sin(angle), with the angle from the radius to the vector */
 double rot_lever(double mass, double radius, double size, double angle_deg);
 
 /* Factors: name, high and low part (mpmath, 50 digits). */
@@ -67,6 +70,7 @@ typedef enum rot_angle_unit {
       ROT_ANGLE_UNIT_COUNT
 } rot_angle_unit;
 
+/* (x, unit) => x times the factor, one rounding */
 double rot_convert_angle(double x, rot_angle_unit unit);
 
 #endif

@@ -7,15 +7,15 @@
 
 enum { BLOCK = 1024, BLOCKS_PER_POLL = 64 };
 
-/* share = 1/(1 + beta) is used for three of the four columns, which saves a division each (6 to 4
- * ns a row) and costs half an ulp. beta = +Inf takes the limit. */
+/* (beta, fraction = 1/(1 + beta)) => rotational fraction; the limit for beta = +Inf. `fraction` is
+ * shared by three of the four columns, which saves a division each (6 to 4 ns a row) and costs half
+ * an ulp. */
 static inline double rotational_fraction(double beta, double fraction) {
   return isinf(beta) ? 1.0 : beta * fraction;
 }
 
-/* 2 g h/(1 + beta) may overflow or underflow where the speed does not: its power of two is kept
- * apart. */
-static double simd_final_speed(double beta, double height_m, double gravity) {
+/* => final speed where 2 g h/(1 + beta) over- or underflows: its power of two is separate */
+static double scaled_final_speed(double beta, double height_m, double gravity) {
   if (!(isfinite(beta) && isfinite(height_m) && isfinite(gravity))) {
     return sqrt(2.0 * height_m) * (sqrt(gravity) / sqrt(1.0 + beta));
   }
@@ -25,9 +25,9 @@ static double simd_final_speed(double beta, double height_m, double gravity) {
   return ldexp(sqrt(ldexp(p, odd)), (e + 1 - odd) / 2);
 }
 
-static int simd(double twice_g_h) { return !(twice_g_h > 1e-290 && twice_g_h < 1e290); }
+static int needs_scaling(double twice_g_h) { return !(twice_g_h > 1e-290 && twice_g_h < 1e290); }
 
-/* Its square may have lost digits: beta is large. */
+/* 1 if the square of the speed may be subnormal, for large beta. */
 static int lost(double twice_g_h, double speed) { return speed < 1e-145 && twice_g_h > 0.0; }
 
 double rot_rolling_acceleration(double beta, double angle_deg, double gravity) {
@@ -37,8 +37,9 @@ double rot_rolling_acceleration(double beta, double angle_deg, double gravity) {
 double rot_rolling_final_speed(double beta, double height_m, double gravity) {
   const double twice_g_h = 2.0 * gravity * height_m;
   const double speed = sqrt(twice_g_h * (1.0 / (1.0 + beta)));
-  return simd(twice_g_h) || lost(twice_g_h, speed) ? simd_final_speed(beta, height_m, gravity)
-                                                   : speed;
+  return needs_scaling(twice_g_h) || lost(twice_g_h, speed)
+             ? scaled_final_speed(beta, height_m, gravity)
+             : speed;
 }
 
 double rot_rolling_rotational_fraction(double beta) {
@@ -48,30 +49,32 @@ double rot_rolling_rotational_fraction(double beta) {
 double rot_rolling_translational_fraction(double beta) { return 1.0 / (1.0 + beta); }
 
 double rot_rolling_friction(double beta, double angle_deg) {
-  /* No rotational inertia: no friction at any angle, 90 degrees included. */
+  /* No rotational inertia: no friction at any angle, also at 90 degrees. */
   if (beta == 0.0 && !isnan(angle_deg)) return 0.0;
   return fabs(rot_sin_deg(angle_deg)) / fabs(rot_cos_deg(angle_deg)) *
          rot_rolling_rotational_fraction(beta);
 }
 
-/* Terms that do not depend on beta, for the rows of a block; computed once where angle, height and
- * gravity are constants. */
+/* Terms without beta of the rows of a block; computed once if angle, height and gravity are
+ * constants. */
 typedef struct block {
-  double pull[BLOCK], twice_g_h[BLOCK];
-  int any_simd;
+  double pull[BLOCK];      /* g sin(angle) */
+  double twice_g_h[BLOCK]; /* 2 g h */
+  int any_scaled;          /* 1: needs_scaling() for a row */
 } block;
 
 static void fill_block(block *to, size_t first, size_t rows, const rot_rolling_input *in) {
   const int same_pull = !in->angle_deg.step && !in->gravity.step;
-  to->any_simd = 0;
+  to->any_scaled = 0;
   for (size_t i = 0; i < rows; i++) {
     const double g = rot_at(in->gravity, first + i);
     to->pull[i] = same_pull && i ? to->pull[0] : g * rot_sin_deg(rot_at(in->angle_deg, first + i));
     to->twice_g_h[i] = 2.0 * g * rot_at(in->height_m, first + i);
-    to->any_simd |= simd(to->twice_g_h[i]);
+    to->any_scaled |= needs_scaling(to->twice_g_h[i]);
   }
 }
 
+/* terms => output rows first .. first + rows - 1; a second pass for those that need scaling */
 static void one_block(const block *terms, size_t first, size_t rows, const rot_rolling_input *in,
                       const rot_rolling_output *out) {
   double repeated[BLOCK];
@@ -101,12 +104,12 @@ static void one_block(const block *terms, size_t first, size_t rows, const rot_r
   for (i = 0; i < rows; i++) {
     if (rotational[i] != rotational[i]) rotational[i] = rotational_fraction(beta[i], 0.0);
   }
-  int any_lost = terms->any_simd;
+  int any_lost = terms->any_scaled;
   for (i = 0; i < rows; i++) any_lost |= speed[i] < 1e-145;
   for (i = 0; any_lost && i < rows; i++) {
-    if (simd(terms->twice_g_h[i]) || lost(terms->twice_g_h[i], speed[i])) {
-      speed[i] = simd_final_speed(beta[i], rot_at(in->height_m, first + i),
-                                  rot_at(in->gravity, first + i));
+    if (needs_scaling(terms->twice_g_h[i]) || lost(terms->twice_g_h[i], speed[i])) {
+      speed[i] = scaled_final_speed(beta[i], rot_at(in->height_m, first + i),
+                                    rot_at(in->gravity, first + i));
     }
   }
 }

@@ -7,7 +7,7 @@
 #include "engine/ode/ode.h"
 #include "ground/real.h"
 
-/* The state: attitude, omega in space, and the centre over the floor. */
+/* The state: attitude quaternion, omega in space, x and y of the centre. */
 enum { OMEGA = 4, STATE = 7, PLACE = 7, DIM = 9 };
 
 static void cross(const double a[3], const double b[3], double out[3]) {
@@ -20,11 +20,15 @@ static double dot(const double a[3], const double b[3]) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Directions and accelerations at a state. */
+/* Vectors in space at a state. */
 typedef struct rolling {
-  double e[3], d[3], omega_rate[3], v[3], a[3];
+  double e[3];          /* axis of the disk, unit vector */
+  double d[3];          /* from the contact to the centre, unit vector */
+  double omega_rate[3]; /* angular acceleration */
+  double v[3], a[3];    /* of the centre */
 } rolling;
 
+/* state y => directions, velocity, accelerations; ROT_ERHS if the disk is horizontal */
 static rot_status find(const rot_rolling_disk *p, const double y[], rolling *x) {
   static const double along[3] = {0.0, 0.0, 1.0};
   const double *w = y + OMEGA;
@@ -85,7 +89,7 @@ static void renormalise(double t, double y[], void *ctx) {
   (void)rot_attitude_unit(y);
 }
 
-/* sin(lean) = e_z, below what counts as flat. */
+/* Event: zero where |sin(lean)| = |e_z| reaches ROT_ROLLING_DISK_FLAT. */
 static double above_flat(double t, const double y[], void *ctx) {
   const double up = (y[0] - y[1]) * (y[0] + y[1]) + (y[3] - y[2]) * (y[3] + y[2]);
   (void)t, (void)ctx;
@@ -97,6 +101,7 @@ static rot_ode_then end_flat(double t, double y[], int *mode, int forward, void 
   return ROT_ODE_END;
 }
 
+/* state y => row i of all columns */
 static void write_row(const rot_rolling_disk *p, const double y[], size_t i,
                       const rot_rolling_disk_columns *out) {
   const double *w = y + OMEGA, m = p->mass_kg, r = p->radius_m, g = p->gravity_m_per_s2;
@@ -160,7 +165,7 @@ rot_status rot_rolling_disk_run(const rot_rolling_disk *p, double accuracy, size
   for (size_t i = 0; i < info->rows_done && i < n; i++) write_row(p, y + i * DIM, i, out);
   error[0] = errors[0];
   error[1] = largest[1] > 0.0 ? errors[1] / largest[1] : 0.0;
-  /* Two runs share what rounding does to the heading: some eps of the angle that the disk turns. */
+  /* The effect of rounding on the heading, some eps of the angle turned, is common to both runs. */
   const double time = n ? fmax(fabs(time_s[0]), fabs(time_s[n - 1])) : 0.0;
   const double angle = largest[1] * time;
   error[2] = hypot(errors[2], errors[3]) + 4.0 * ROT_EPS * p->radius_m * angle * (1.0 + angle);

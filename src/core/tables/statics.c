@@ -9,7 +9,7 @@
 #include "maths/eigen.h"
 #include "maths/simplex.h"
 
-/* Equations of a plane among the six: forces along x and y, torque about z. */
+/* Rows of the plane problem among the six: forces along x and y, torque about z. */
 static const size_t plane_rows[3] = {0, 1, 5}, space_rows[6] = {0, 1, 2, 3, 4, 5};
 
 static int exponent_of(double largest) {
@@ -31,7 +31,7 @@ static void cross(const rot_dd a[3], const rot_dd b[3], rot_dd to[3]) {
   }
 }
 
-/* The same of absolute values, with a plus. */
+/* Sums of absolute terms of the cross product, from absolute values a and b. */
 static void cross_terms(const double a[3], const double b[3], double to[3]) {
   for (int i = 0; i < 3; i++) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
@@ -47,7 +47,7 @@ typedef struct units {
   int length, force; /* exponents */
 } units;
 
-/* Adds a force system in units: six numbers, and the sums of absolute terms. */
+/* Adds n loads, in units: force and torque to `sum`, their absolute terms to `terms`. */
 static void add_loads(size_t n, const double at[], const double force[], const double couple[],
                       const double about[3], units unit, rot_dd sum[6], double terms[6]) {
   for (size_t i = 0; i < n; i++) {
@@ -73,7 +73,7 @@ static void add_loads(size_t n, const double at[], const double force[], const d
   }
 }
 
-/* A couple counts as a force at the extent. */
+/* => units; a couple counts as a force at the distance 2^length */
 static units units_of(size_t n, const double force[], const double couple[], int length) {
   const int c = exponent_of_all(3 * n, couple), f = exponent_of_all(3 * n, force);
   units unit = {length, f};
@@ -133,20 +133,22 @@ rot_axis rot_statics_axis(const rot_sums *sums, const double about[3]) {
 /* ---- equations ------------------------------------------------------------------------------ */
 
 typedef struct equations {
-  size_t m, k;
-  const size_t *rows;
+  size_t m;           /* equations: 3 or 6 */
+  size_t k;           /* reactions */
+  const size_t *rows; /* indices of the equations among the six */
   units unit;
-  double about[3];
-  rot_dd *a;      /* m x k, by columns; reactions along unit vectors */
-  double *terms;  /* of the same, absolute */
-  rot_dd load[6]; /* in the order of the rows */
-  double load_terms[6];
-  double sigma[6], left[36]; /* column j of `left` belongs to sigma j */
-  double *right;             /* k x m: A' left / sigma, by columns j; 0 beyond the rank */
-  size_t first;              /* of the singular values that are not 0 */
+  double about[3];      /* point of the torques */
+  rot_dd *a;            /* m x k, by columns; reactions along unit vectors */
+  double *terms;        /* sums of absolute terms of a */
+  rot_dd load[6];       /* in the order of the rows */
+  double load_terms[6]; /* sums of absolute terms of the loads */
+  double sigma[6];      /* singular values, ascending */
+  double left[36];      /* left singular vectors; column j for sigma j */
+  double *right;        /* k x m: A' left / sigma, by columns j; 0 beyond the rank */
+  size_t first;         /* first singular value that is not 0 */
 } equations;
 
-/* The direction of a reaction: a unit vector, and the rounding of its numbers. */
+/* reaction => unit vector, absolute terms of its components */
 static void direction_of(const rot_reaction *reaction, rot_dd unit[3], double terms[3]) {
   double all[6];
   memcpy(all, reaction->from, 3 * sizeof *all);
@@ -173,6 +175,7 @@ static void direction_of(const rot_reaction *reaction, rot_dd unit[3], double te
   }
 }
 
+/* reaction => column j of A, its absolute terms */
 static void fill_column(equations *eq, size_t j, const rot_reaction *reaction) {
   rot_dd all[6], arm[3], unit[3];
   double terms[6] = {0.0}, size[3], spread[3];
@@ -201,7 +204,7 @@ static void fill_column(equations *eq, size_t j, const rot_reaction *reaction) {
   }
 }
 
-/* The extent about the first point: loads and forces of the supports alike. */
+/* => exponent of the largest distance of a load or support from `about` */
 static int extent(const rot_structure *s, const double about[3], int e) {
   double largest = 0.0;
   for (size_t i = 0; i < 3 * s->loads; i++)
@@ -233,8 +236,8 @@ static void free_equations(equations *eq) {
   free(eq->right);
 }
 
-/* The left vectors of the singular values that count as 0: what is left of the axes beside the
- * others. rot_eigen_singular() gives none where a value is exactly 0. */
+/* Left singular vectors of the values that count as 0: an orthonormal basis of the orthogonal
+ * complement of the range. rot_eigen_singular() gives none for a value of exactly 0. */
 static void complete(equations *eq) {
   const size_t m = eq->m;
   for (size_t c = eq->first; c-- > 0;) {
@@ -257,6 +260,7 @@ static void complete(equations *eq) {
   }
 }
 
+/* A => sigma, left, right, first */
 static rot_status decompose(equations *eq, double tolerance) {
   const size_t rows = eq->k > eq->m ? eq->k : eq->m;
   double *g = calloc(rows * eq->m, sizeof *g);
@@ -278,6 +282,7 @@ static rot_status decompose(equations *eq, double tolerance) {
   return ROT_OK;
 }
 
+/* structure => equations in units, decomposed */
 static rot_status set_up(equations *eq, const rot_structure *s) {
   memset(eq, 0, sizeof *eq);
   eq->m = s->plane ? 3 : 6;
@@ -306,7 +311,7 @@ static double condition_of(const equations *eq) {
   return eq->first < eq->m ? eq->sigma[eq->m - 1] / eq->sigma[eq->first] : 1.0;
 }
 
-/* A x + b in double-double. */
+/* x => A x + b in double-double */
 static void residual(const equations *eq, const rot_dd x[], rot_dd to[6]) {
   for (size_t i = 0; i < eq->m; i++) {
     to[i] = eq->load[i];
@@ -315,7 +320,7 @@ static void residual(const equations *eq, const rot_dd x[], rot_dd to[6]) {
   }
 }
 
-/* x -= A+ r; returns the largest change. */
+/* x -= A+ r with the pseudoinverse A+; returns the max change. */
 static double correct(const equations *eq, const rot_dd r[6], rot_dd x[]) {
   double along[6], largest = 0.0;
   for (size_t j = eq->first; j < eq->m; j++) {
@@ -344,7 +349,7 @@ static void minimum_norm(const equations *eq, rot_dd x[]) {
   }
 }
 
-/* Row i of the projector on what the equations leave open. */
+/* => element (i, l) of the projector on the null space of A */
 static double open_part(const equations *eq, size_t i, size_t l) {
   double sum = i == l ? 1.0 : 0.0;
   for (size_t j = eq->first; j < eq->m; j++)
@@ -352,7 +357,8 @@ static double open_part(const equations *eq, size_t i, size_t l) {
   return sum;
 }
 
-/* Half an ulp of each number: two numbers in a product, and the rounding of the result. */
+/* x => errors of x for errors of half an ulp in each number (two in a product, one of the result),
+ * `determined` flags */
 static void errors_of(const equations *eq, const rot_dd x[], double error[], int determined[]) {
   const double u = 4.0 * ROT_EPS, blur = fmax(1e-9, 64.0 * ROT_EPS * condition_of(eq));
   double off[6], along[6], y[6];
@@ -386,9 +392,9 @@ static void errors_of(const equations *eq, const rot_dd x[], double error[], int
   }
 }
 
-/* ---- supports that only push, and friction --------------------------------------------------- */
+/* ---- unilateral supports, friction ----------------------------------------------------------- */
 
-/* Friction as given, unlimited, or none. */
+/* Friction: as given, unlimited, none. */
 typedef enum support_mode { AS_GIVEN, STICKING, SMOOTH } support_mode;
 
 typedef struct program {
@@ -410,7 +416,7 @@ static int contact_of(const rot_structure *s, size_t j, size_t *which) {
   return 0;
 }
 
-/* Writes the column of the reactions of one contact along v, and its cost. */
+/* (contact, v) => column of its reaction along v, its cost */
 static void along_axes(const program *p, const rot_contact *contact, const double v[3],
                        double column[], double *cost) {
   const size_t m = p->eq->m, size = p->s->plane ? 2 : 3;
@@ -428,7 +434,7 @@ static void push(program *p, const double column[], double sign, double cost) {
   p->lp.cost[p->lp.n++] = sign * cost;
 }
 
-/* Two unit vectors across the normal. */
+/* n => two unit vectors normal to n and to each other */
 static void tangents(const double n[3], double first[3], double second[3]) {
   int min = 0;
   for (int i = 1; i < 3; i++)
@@ -447,8 +453,8 @@ static void tangents(const double n[3], double first[3], double second[3]) {
   }
 }
 
-/* The known force of a contact in space. Near the edge of rest few directions are possible, and
- * generated ones come to them slowly. */
+/* Adds the known force of a contact in space as a column. Near the limit of equilibrium few
+ * directions are feasible, and generated columns approach them slowly. */
 static void push_known(program *p, const rot_contact *contact) {
   double column[6], cost, v[3];
   if (p->s->plane || !p->known) return;
@@ -460,6 +466,7 @@ static void push_known(program *p, const rot_contact *contact) {
   push(p, column, 1.0, cost);
 }
 
+/* Adds the columns of a contact: edges of its friction cone, or its normal and tangents. */
 static void push_contact(program *p, const rot_contact *contact) {
   const double *n = contact->normal, mu = contact->friction;
   double column[6], cost, first[3], second[3], v[3];
@@ -472,7 +479,7 @@ static void push_contact(program *p, const rot_contact *contact) {
     tangents(n, first, second);
   }
   if (p->mode == AS_GIVEN && mu < 1e6) {
-    /* In space these two are a start, the rest is generated. */
+    /* In space, these two are the initial columns; others are generated. */
     for (int sign = -1; sign <= 1; sign += 2) {
       for (int i = 0; i < 3; i++) v[i] = n[i] + sign * mu * first[i];
       along_axes(p, contact, v, column, &cost);
@@ -490,8 +497,8 @@ static void push_contact(program *p, const rot_contact *contact) {
   }
 }
 
-/* The generator n + mu u of a friction cone in space with the least reduced cost: u is opposite to
- * the tangential part of its gradient. */
+/* dual => generator n + mu u of a friction cone in space with the min reduced cost: u is opposite
+ * to the tangential part of the cost gradient */
 static int price_cone(void *ctx, const double dual[], int phase, double column[], double *cost) {
   const program *p = ctx;
   const size_t m = p->eq->m;
@@ -519,6 +526,7 @@ static int price_cone(void *ctx, const double dual[], int phase, double column[]
   return 1;
 }
 
+/* (equations, friction mode, cost, known reactions) => linear program for the reactions */
 static rot_status start_program(program *p, const equations *eq, const rot_structure *s,
                                 support_mode mode, const double cost[], const double known[]) {
   memset(p, 0, sizeof *p);
@@ -557,11 +565,11 @@ static void end_program(program *p) {
   free(p->lp.cost);
 }
 
-/* ---- the motion that begins ------------------------------------------------------------------ */
+/* ---- initial motion -------------------------------------------------------------------------- */
 
 enum { MAX_PASSIVE = 6 };
 
-/* Least squares on the columns of the passive set by normal equations, with pivoting. */
+/* passive set => least-squares coefficients x of its columns, by normal equations with pivoting */
 static void solve_passive(const program *p, size_t n, const size_t set[], double x[]) {
   const size_t m = p->eq->m;
   double a[MAX_PASSIVE][MAX_PASSIVE + 1];
@@ -591,10 +599,10 @@ static void solve_passive(const program *p, size_t n, const size_t set[], double
   for (size_t i = 0; i < n; i++) x[i] = a[i][n] / a[i][i];
 }
 
-/* What the supports cannot balance of the loads, in least squares: supports that push are at rest,
- * the others part (Gauss's principle, with 1 for every mass). Non-negative least squares of Lawson
- * and Hanson, Solving Least Squares Problems (1974), chapter 23. */
-static void leave_over(const program *p, double motion[6]) {
+/* => least-squares residual of the loads after the reactions: contacts with a reaction persist, the
+ * others separate (Gauss's principle with unit masses). Non-negative least squares of Lawson and
+ * Hanson, Solving Least Squares Problems (1974), chapter 23. */
+static void unbalanced_loads(const program *p, double motion[6]) {
   const size_t m = p->eq->m;
   size_t set[MAX_PASSIVE], n = 0;
   double x[MAX_PASSIVE] = {0.0}, z[MAX_PASSIVE], size = 0.0;
@@ -638,12 +646,13 @@ static rot_status motion_of(const equations *eq, const rot_structure *s, support
                             double motion[6]) {
   program p;
   const rot_status status = start_program(&p, eq, s, mode, NULL, NULL);
-  if (status == ROT_OK) leave_over(&p, motion);
+  if (status == ROT_OK) unbalanced_loads(&p, motion);
   end_program(&p);
   return status;
 }
 
-/* Generated columns of a nearly singular basis can seem to be unbounded: the search decides. */
+/* 1 if a program is unbounded. With generated columns this is unreliable, since a basis may be
+ * nearly singular: the search decides. */
 static int without_limit(const program *p, rot_simplex_result result) {
   return result == ROT_SIMPLEX_UNBOUNDED && !p->lp.price;
 }
@@ -664,14 +673,14 @@ static rot_status range_by_program(const equations *eq, const rot_structure *s, 
   return status;
 }
 
-/* ---- reactions that only push: least norm, feasibility, extremes --------------------------- */
+/* ---- unilateral reactions: min norm, feasibility, extremes --------------------------------- */
 
-/* The equations A x + b = 0 in the axes of the singular vectors, over the singular values: rows of
- * length 1. `extra` rows and columns are for what a search adds. */
+/* The equations A x + b = 0 along the singular vectors, divided by the singular values: rows of
+ * length 1. A search may add rows and columns. */
 typedef struct cone_system {
   rot_cone cone;
   rot_cone_part *part;
-  rot_dd *b, c[ROT_CONE_ROWS], y[ROT_CONE_ROWS], *x;
+  rot_dd *b, c[ROT_CONE_ROWS], y[ROT_CONE_ROWS], *x; /* as in rot_cone and rot_cone_solve() */
   double slack[ROT_CONE_ROWS], *blur;
 } cone_system;
 
@@ -682,10 +691,10 @@ static void free_cone(cone_system *sys) {
   free(sys->blur);
 }
 
-/* What half an ulp of each number can change: two numbers in a product, and the result. */
+/* Relative effect of half an ulp of each number: two numbers in a product, and the result. */
 static const double ulps = 4.0 * ROT_EPS;
 
-/* Row i: the combination of the original equations; v has a number for each of them. */
+/* v, one number per original equation => its combination in row i */
 static rot_dd combined(const equations *eq, size_t i, const rot_dd v[]) {
   const size_t m = eq->m, j = eq->first + i;
   rot_dd sum = zero();
@@ -716,6 +725,7 @@ static void set_parts(cone_system *sys, const rot_structure *s, support_mode mod
   sys->cone.parts = (size_t)(part - sys->part);
 }
 
+/* equations => cone problem, with space for additional rows and columns */
 static rot_status make_cone(cone_system *sys, const equations *eq, const rot_structure *s,
                             support_mode mode, size_t rows, size_t columns) {
   const size_t rank = eq->m - eq->first, m = rank + rows, k = eq->k + columns;
@@ -739,8 +749,8 @@ static rot_status make_cone(cone_system *sys, const equations *eq, const rot_str
   return ROT_OK;
 }
 
-/* Is there an x, with c + t g for c? `gap`: of the search, relative to c; NaN where it has an
- * answer. */
+/* (g, t) => *found: 1 if there is an x for the right-hand side c + t g. *gap: relative residual if
+ * the search stopped without an answer, else NaN. */
 static rot_status holds(cone_system *sys, const rot_dd g[], double t, int *found, double *gap) {
   rot_dd c[ROT_CONE_ROWS];
   rot_cone cone = sys->cone;
@@ -758,7 +768,8 @@ static rot_status holds(cone_system *sys, const rot_dd g[], double t, int *found
   return status;
 }
 
-/* Can loads and supports balance at all, to 1e-8? By the linear program; -1 where it stopped. */
+/* *answer: 1 if the supports can balance the loads to 1e-8, by the linear program; -1 if it stopped
+ */
 static rot_status balances(const equations *eq, const rot_structure *s, support_mode mode,
                            int *answer) {
   program p;
@@ -771,8 +782,8 @@ static rot_status balances(const equations *eq, const rot_structure *s, support_
   return status;
 }
 
-/* A body rests where reactions have been found. A search that does not end has an answer where the
- * linear program says no, or where what is left is so little that the body is beyond its limit by
+/* *rests: 1 if equilibrium reactions exist. A search without an answer counts as "none" if the
+ * linear program is infeasible, or if the residual is so small that the load exceeds its limit by
  * less than the program resolves. */
 static rot_status can_rest(const equations *eq, const rot_structure *s, support_mode mode,
                            int *rests) {
@@ -789,8 +800,9 @@ static rot_status can_rest(const equations *eq, const rot_structure *s, support_
   return status;
 }
 
-/* Solves with each equation moved by 512 times what is allowed, both ways: that crosses the places
- * where a support begins to bear. Where none holds, the reactions have no room on that side. */
+/* Error of the reactions by solutions with each equation shifted by 512 times its error in both
+ * directions, which crosses the states where a support begins to carry load. A side without
+ * solution is ignored. */
 static rot_status moved_reactions(const equations *eq, const cone_system *solved, double off[],
                                   double error[]) {
   const size_t k = eq->k;
@@ -825,8 +837,8 @@ static rot_status moved_reactions(const equations *eq, const cone_system *solved
   return status;
 }
 
-/* Half an ulp of each number, for the reactions of a cone: as equations that are moved, and, of
- * those that are not determined, as axes that turn under the dual y. */
+/* Errors of the reactions in cones for half an ulp of each number: by shifted equations and, for
+ * undetermined reactions, by rotated axes under the dual y. */
 static rot_status errors_of_cone(const equations *eq, const cone_system *sys,
                                  const int determined[], double error[]) {
   const size_t m = eq->m, k = eq->k;
@@ -868,8 +880,8 @@ static rot_status push_only(const equations *eq, const rot_structure *s, rot_dd 
   return status;
 }
 
-/* Where c + t g has no x, the search leaves a y with B'y in the polar cone and (c + t g).y > 0:
- * each t that has one satisfies (c + t g).y <= 0. The bound on t, or `t`. */
+/* => bound on t from an infeasible t, or `t`. If c + t g has no x, the search ends with a y such
+ * that B'y is in the polar cone and (c + t g).y > 0; each feasible t satisfies (c + t g).y <= 0. */
 static double cut_of(const cone_system *sys, const rot_dd g[], double good, double t) {
   double c_y = 0.0, g_y = 0.0;
   for (size_t i = 0; i < sys->cone.m; i++) {
@@ -880,8 +892,9 @@ static double cut_of(const cone_system *sys, const rot_dd g[], double good, doub
   return part > 0.0 && part < 1.0 ? bound + 1e-6 * (t - bound) : t;
 }
 
-/* The largest t, times `sign`, from `t`, for which c + t g has an x. Unbounded where g has one
- * itself; then growing steps, cuts, and halved steps. A search that does not end counts as no x. */
+/* feasible t => largest feasible t in direction `sign` for the right-hand side c + t g. Unbounded
+ * if g is feasible; else growing steps, cuts and bisection. A search without an answer counts as
+ * infeasible. */
 static rot_status extreme(cone_system *sys, const rot_dd g[], double sign, double t,
                           double *limit) {
   const size_t m = sys->cone.m;
@@ -913,8 +926,8 @@ static rot_status extreme(cone_system *sys, const rot_dd g[], double sign, doubl
   return ROT_OK;
 }
 
-/* The least (sign 1) or largest value of reaction j, from the known ones: by the linear program,
- * else with that reaction in an equation of its own. */
+/* => min (sign 1) or max (sign -1) of reaction j, from known reactions: by the linear program, else
+ * by a search with a separate equation for that reaction */
 static rot_status range_of(const equations *eq, const rot_structure *s, size_t j, double sign,
                            const double known[], double cost[], double *limit) {
   const double x = known[j];
@@ -935,9 +948,9 @@ static rot_status range_of(const equations *eq, const rot_structure *s, size_t j
   return status;
 }
 
-/* ---- the whole ------------------------------------------------------------------------------- */
+/* ---- solution -------------------------------------------------------------------------------- */
 
-/* Force along the direction: the units. */
+/* reaction j in units => N or N m */
 static double in_newton(const equations *eq, const rot_structure *s, size_t j, double x) {
   x = ldexp(x, eq->unit.force);
   return s->reaction[j].is_couple ? ldexp(x, eq->unit.length) : x;
@@ -956,7 +969,7 @@ static void note_motion(const equations *eq, const double motion[6], rot_rest *r
   }
 }
 
-/* A motion without support: the one that the loads drive most, else the first. */
+/* => motion that no support prevents: that of the loads if they do work on it, else the first */
 static void find_free_motion(const equations *eq, const rot_structure *s, rot_rest *rest) {
   double motion[6] = {0.0}, size = 0.0, terms = 0.0;
   for (size_t i = 0; i < eq->m; i++) terms = fmax(terms, eq->load_terms[i]);
@@ -972,7 +985,7 @@ static void find_free_motion(const equations *eq, const rot_structure *s, rot_re
   if (eq->first) note_motion(eq, motion, rest);
 }
 
-/* Does a reaction pull where it can only push, by more than its error? */
+/* 1 if a reaction violates its cone by more than its error. */
 static int violates(const rot_structure *s, const double x[], const double error[]) {
   const size_t size = s->plane ? 2 : 3;
   for (size_t j = 0; j < s->reactions; j++)
@@ -994,7 +1007,8 @@ static int violates(const rot_structure *s, const double x[], const double error
   return 0;
 }
 
-/* Where the body slides, the motion is that without friction: its cone would lift the body. */
+/* => equilibrium, stick, initial motion. A sliding motion is computed without friction: with the
+ * friction cone the residual would lift the body. */
 static rot_status judge(const equations *eq, const rot_structure *s, const double x[],
                         const double error[], rot_rest *rest) {
   double motion[6] = {0.0};
@@ -1013,6 +1027,7 @@ static rot_status judge(const equations *eq, const rot_structure *s, const doubl
   return status;
 }
 
+/* equations => reactions (min norm, if necessary in their cones), errors, equilibrium */
 static rot_status solve_in_units(const equations *eq, const rot_structure *s, rot_dd x[],
                                  double plain[], double error[], int determined[], rot_rest *rest) {
   minimum_norm(eq, x);
@@ -1092,7 +1107,7 @@ rot_status rot_statics_solve(const rot_structure *s, double x[], double error[],
   return status;
 }
 
-/* Limits of the factor by the linear program; NaN where it stopped or finds none. */
+/* => limits of the load factor by the linear program; NaN if it stopped or is infeasible */
 static rot_status factors_by_program(const equations *eq, const rot_structure *s,
                                      const double column[], double limits[2]) {
   rot_status status = ROT_OK;
@@ -1113,7 +1128,7 @@ static rot_status factors_by_program(const equations *eq, const rot_structure *s
   return status;
 }
 
-/* Does this load drive a motion that no support prevents? */
+/* 1 if this load does work on a motion that no support prevents. */
 static int drives(const equations *eq, const rot_structure *s, const rot_dd column[]) {
   double size = 0.0, terms = 0.0;
   for (size_t i = 0; i < eq->m; i++) terms = fmax(terms, fabs(column[i].hi));
@@ -1125,7 +1140,7 @@ static int drives(const equations *eq, const rot_structure *s, const rot_dd colu
   return size > s->rank_tolerance * terms;
 }
 
-/* The same by searches from a factor that holds: 1, or one found as an unknown of its own. */
+/* The same by searches from a feasible factor: 1, or one found as an additional unknown. */
 static rot_status factors_by_search(const equations *eq, const rot_structure *s,
                                     const rot_dd column[], int rests, double limits[2]) {
   cone_system sys;
@@ -1134,7 +1149,7 @@ static rot_status factors_by_search(const equations *eq, const rot_structure *s,
   int found = rests;
   limits[0] = limits[1] = NAN;
   rot_status status = make_cone(&sys, eq, s, AS_GIVEN, 0, 1);
-  if (status == ROT_OK && drives(eq, s, column)) { /* at no other factor than 1 */
+  if (status == ROT_OK && drives(eq, s, column)) { /* only the factor 1 is feasible */
     if (rests) limits[0] = limits[1] = 1.0;
   } else if (status == ROT_OK) {
     const size_t m = sys.cone.m, k = eq->k;
@@ -1154,7 +1169,7 @@ static rot_status factors_by_search(const equations *eq, const rot_structure *s,
   return status;
 }
 
-/* The program's limits must agree with the verdict for a factor of 1. */
+/* 1 if the program's limits agree with the result for a factor of 1. */
 static int limits_agree(const double limits[2], int rests) {
   if (isnan(limits[0]) != isnan(limits[1])) return 0;
   return (limits[0] <= 1.0 && limits[1] >= 1.0) == (rests != 0) && !(limits[0] > limits[1]);
