@@ -132,7 +132,7 @@ column_list <- list(
   c("radius_of_gyration_m", "m", "sqrt(I/m)"),
   c("axis", "", "the axis of the moment of inertia"),
   c("formula", "", "the moment of inertia as a formula"),
-  c("name", "", "name of a column"),
+  c("name", "", "name: of a column, of an exercise"),
   c("unit", "", "its unit; empty for text, 1 for a pure number"),
   c("meaning", "", "its meaning"),
   # measuring
