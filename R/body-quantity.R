@@ -5,8 +5,15 @@
 quantity_of.rot_body <- function(x, arg, unit, call) {
   check_body(x, call, arg)
   if (unit == "kg") return(x$mass_kg)
+  if (arg == "transverse_moment_kg_m2") {
+    abort_rotdyn(c(
+      "{.arg {arg}} must be a number in kg m^2.",
+      x = "It is a body, whose moment about its own z axis is another.",
+      i = "{.arg tops} takes a body, and finds this moment from it."
+    ), "type", call)
+  }
   if (unit == "kg*m^2") return(one_inertia(x, arg, call))
-  if (unit == "m" && grepl("^radius(_[0-9])?_m$", arg)) {
+  if (unit == "m" && grepl("(^|_)radius(_[0-9])?_m$", arg)) {
     return(rolling_radius(x, one_inertia(x, arg, call), call))
   }
   if (unit == "1" && arg %in% c("beta", "body")) return(rolling_beta(x, arg, call))

@@ -7,7 +7,7 @@
 #' @param inertia_kg_m2 A symmetric 3 x 3 matrix in kg m^2; or six numbers named `ixx`, `iyy`,
 #'   `izz`, `ixy`, `ixz`, `iyz`; or three principal moments along the own axes (if they have names,
 #'   `ixx`, `iyy`, `izz` or `x`, `y`, `z`); or an [inertia_tensor()], whose point, axes and sign
-#'   convention are used.
+#'   convention are used; or a body, whose tensor it is.
 #' @param centre_m Centre of mass in the own axes.
 #' @param ... Not used; names after it must be given in full.
 #' @param about Point of the tensor: `"centre"` (of mass), `"origin"` (of the own axes), or three
@@ -45,6 +45,7 @@ body_tensor <- function(mass_kg, inertia_kg_m2, centre_m = c(0, 0, 0), ..., abou
   centre_m <- check_vector(centre_m, "centre_m", "m", call)
   name <- check_name(name, "name", call)
   if (!is.null(reach_m)) reach_m <- check_number(reach_m, "reach_m", "m", call, lower = 0)
+  if (inherits(inertia_kg_m2, "rot_body")) inertia_kg_m2 <- inertia_tensor(inertia_kg_m2)
   tensor <- as_tensor(inertia_kg_m2, "inertia_kg_m2", call, check_products(products, call))
   askew <- max(abs(tensor - t(tensor))) / 2
   # It must be physical about any point, and symmetric to be moved.

@@ -118,8 +118,8 @@ check_inertia <- function(x, ..., mass_kg = NULL, size_m = NULL,
 #' @param check Result of `check_inertia()`.
 #' @rdname check_inertia
 #' @export
-inertia_repairs <- function(check) {
-  call <- rlang::current_env()
+inertia_repairs <- function(check, ...) {
+  call <- check_no_dots(...)
   check_supplied("check", call)
   check_class(check, "rot_inertia_check", "check", "Make one with {.fn check_inertia}.", call)
   attr(check, "repairs")

@@ -66,6 +66,23 @@ count_law_arguments <- function(f, otherwise) {
   if (n == 3L) 3L else if (takes_arguments(f, 1L)) 1L else otherwise(n)
 }
 
+# The arguments of a law are given by place: those with known names must be in their places, as a
+# function of theta_rad alone would be one of time. `order`: the names.
+check_law_order <- function(f, order, arg, kind, call) {
+  given <- required_arguments(f)
+  words <- sub("_.*", "", order)
+  words[nchar(words) == 1L] <- NA
+  at <- match(given, order)
+  at[is.na(at)] <- match(given[is.na(at)], words, incomparables = NA)
+  if (all(is.na(at) | at == seq_along(given))) return(invisible(f))
+  abort_rotdyn(c(
+    "{.arg {arg}} must be a function of {.code {order[1]}}, or of
+     {.code {toString(order)}}, in this order.",
+    x = "It is one of {.code {toString(given)}}.",
+    i = "What is not used is an argument, too: {.code function({toString(order)})}."
+  ), kind, call)
+}
+
 # The dots must be empty; they are not evaluated. Returns the caller's frame.
 check_no_dots <- function(...) {
   if (...length()) {

@@ -522,7 +522,7 @@ cli_run_rerun <- function(words, options, state) {
   db <- cli_database(words[1], state)
   runs <- if (length(words) > 1L) words[-1L] else records_list(db)$run
   again <- lapply(runs, function(run) {
-    result <- records_rerun(db, run, record = isTRUE(options$record))
+    result <- records_rerun(db, run, store = isTRUE(options$record))
     worst <- if (nrow(result$where)) result$where[1, ]
     list(
       run = result$run, verdict = result$verdict, model = result$model[["now"]],

@@ -41,8 +41,8 @@ coast_units <- list(
 #' @param records A [motion_record()], a data frame with `time_s` and one of `theta_rad`,
 #'   `omega_rad_per_s` or `pulses`, or a list of them. Each segment is a run. Of several quantities
 #'   measured the pulses are fitted, else the angles. A run begins while the body coasts.
-#' @param inertia Moment of inertia about the axle in kg m^2: a number, [measured()], or NULL. Its
-#'   uncertainty is a common factor of all torques and is given apart, in `u_inertia`.
+#' @param inertia Moment of inertia about the axle in kg m^2: a number, [measured()], a body, or
+#'   NULL. Its uncertainty is a common factor of all torques and is given apart, in `u_inertia`.
 #' @param losses The losses that may act.
 #' @param torque A torque that acts as well (positive towards positive angles) and needs an
 #'   `inertia`: a constant one in N m, or a [torque law][torque_steps()] of time that is constant

@@ -235,6 +235,12 @@ run_residual <- function(run, p, rows) {
   if (run$kind == 2) -residual / rows$omega else residual
 }
 
+#' @export
+summary.rot_coast_fit <- function(object, ...) {
+  check_no_dots(...)
+  glance(object)
+}
+
 #' @rdname predict.rot_coast_fit
 #' @export
 glance.rot_coast_fit <- function(x, ...) {

@@ -5,6 +5,7 @@ drive_constraint <- function() {
     models = drive_words(),
     title = function(run) {
       n <- length(run$scene$moment_of_inertia_kg_m2)
+      if (n == 1L && !is.null(run$scene$brake[[1]])) return("A body on a fixed axle with a brake")
       paste0("A drive of ", n, " rotor", if (n != 1L) "s")
     },
     keys = c(

@@ -63,7 +63,10 @@ energy_partition <- function(body, speed_m_per_s, ..., mass_kg = NULL, radius_m 
     rotational_energy_fraction = .Call(ffi_rolling_value, 3L, columns["beta"])[[1]],
     translational_energy_fraction = .Call(ffi_rolling_value, 4L, columns["beta"])[[1]]
   )
-  new_table(lapply(c(columns, values, fractions), rep_len, n), nrow = n)
+  new_table(
+    lapply(c(columns, values, fractions), rep_len, n), nrow = n,
+    first = grep("_energy_", names(c(values, fractions)), value = TRUE)
+  )
 }
 
 #' Kinetic energy of a body

@@ -118,6 +118,12 @@ segment_at <- function(fit, time_s, segment, call) {
   }, 1L)
 }
 
+#' @export
+summary.rot_estimate <- function(object, ...) {
+  check_no_dots(...)
+  glance(object)
+}
+
 #' @rdname estimate_motion
 #' @param x A `rot_estimate`.
 #' @export
@@ -400,6 +406,7 @@ dplyr_reconstruct.rot_estimate <- function(data, template) {
 }
 
 #' @export
-motion_events.rot_estimate <- function(x) {
+motion_events.rot_estimate <- function(x, ...) {
+  check_no_dots(...)
   check_estimate(x, "x", rlang::current_env())$events
 }

@@ -76,7 +76,7 @@ angular_motion <- function(theta_rad, omega0_rad_per_s, omega_rad_per_s, alpha_r
   values$root[kind <= 0] <- NA_integer_
   warn_beyond(values[names(columns)], list(), length(kind), call)
   warn_no_motion(values$row[kind == 0], values$row[kind < 0], call)
-  new_table(values[motion_columns], nrow = length(kind))
+  new_table(values[motion_columns], nrow = length(kind), first = names(motion_units))
 }
 
 motion_units <- c(
@@ -165,7 +165,7 @@ point_motion <- function(omega_rad_per_s, radius_m, alpha_rad_per_s2 = 0, ..., s
     ffi_point_motion, columns$omega_rad_per_s, columns$alpha_rad_per_s2, columns$radius_m
   )
   warn_beyond(values, columns, n, call)
-  new_table(lapply(c(columns, values), rep_len, n), nrow = n)
+  new_table(lapply(c(columns, values), rep_len, n), nrow = n, first = names(values))
 }
 
 # v/r, for radii greater than 0.

@@ -106,7 +106,7 @@ unit_hints <- function(names, angles = TRUE) {
   if (length(hints)) stats::setNames(hints, rep("i", length(hints)))
 }
 
-# What an unknown argument of a function is asked of another one for; `argument`: a pattern.
+# What an unknown argument of a function is asked of another one for; both are patterns.
 asked_elsewhere <- list(
   list("spin_up", "^(omega|alpha)_", paste(
     "{.fn angular_motion} finds the angular acceleration from two angular velocities and the time;",
@@ -132,12 +132,42 @@ asked_elsewhere <- list(
   list("scene_pivot", "^(distance|lever|arm|radius)", paste(
     "{.arg pivot_m} is where the body is held, in its own axes: {.code pivot_m = c(0, 0, -0.1)} on",
     "the axis of a disk, 0.1 m below its centre."
+  )),
+  # What acts where a scene does not take it.
+  list("scene_hanging_mass", "^torque", paste(
+    "The weights turn the pulley. With another torque, too, it is {.code scene_axle(torque = )}:",
+    "the masses add m r^2 to the moment of inertia."
+  )),
+  list("scene_chain", "^torque", "One link under a torque is {.code scene_pendulum(torque = )}."),
+  list("scene_incline", "^torque", paste(
+    "What pushes the body along the slope is {.arg force}; a body on an axle is a {.fn scene_axle}."
+  )),
+  list(c(
+    "scene_axle", "scene_pendulum", "scene_hanging_mass", "scene_rotors", "scene_gears",
+    "scene_clutch", "scene_drive", "scene_free", "scene_pivot"
+  ), "^force", "A force at a distance is a torque: {.fn torque_of_force}."),
+  list("scene_[a-z_]+", "^torque", paste(
+    "A {.arg torque} acts in {.fn scene_axle} and other scenes of bodies on axles, in",
+    "{.fn scene_free} and {.fn scene_pivot}."
+  )),
+  list("scene_[a-z_]+", "^brake", paste(
+    "A {.fn brake} acts in {.fn scene_axle}, {.fn scene_rotors}, {.fn scene_gears},",
+    "{.fn scene_clutch} and {.fn scene_drive}."
+  )),
+  list(c("scene_pendulum", "scene_hanging_mass"), "^brake",
+       "Dry friction that always acts is {.code resistance(coulomb_n_m = )}."),
+  list(c("scene_free", "scene_pivot"), "^brake", paste(
+    "What slows the body down is {.code resistance(damping_per_s = )}, or a {.arg torque} that is",
+    "a function."
   ))
 )
 
 # `fn`: the name of the function; `names`: its unknown arguments.
 elsewhere_hints <- function(fn, names) {
-  hints <- Filter(function(one) identical(one[[1]], fn) && any(grepl(one[[2]], names)),
+  called <- function(patterns) {
+    is.character(fn) && grepl(paste0("^(", paste(patterns, collapse = "|"), ")$"), fn)
+  }
+  hints <- Filter(function(one) called(one[[1]]) && any(grepl(one[[2]], names)),
                   asked_elsewhere)
   said <- vapply(hints, `[[`, "", 3L)
   if (length(said)) stats::setNames(said, rep("i", length(said)))

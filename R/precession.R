@@ -104,7 +104,7 @@ precession_table <- function(tops = NULL, axis_angle_deg = 90, transverse_moment
   known <- any(!is.na(columns$transverse_moment_kg_m2))
   shown <- c(precession_columns, if (known) nutation_columns)
   out[shown] <- values[shown]
-  new_table(out, nrow = n)
+  new_table(out, nrow = n, first = c("precession_rad_per_s", "precession_period_s"))
 }
 
 article_rotors <- function() {

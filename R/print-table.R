@@ -19,8 +19,9 @@ table_from <- function(x, class = NULL) {
 #' Print a table
 #'
 #' The tables of this package are tibbles. A table of one row is printed upright: name, value, unit.
-#' Any other shows as many columns as fit with their whole names, and names the rest below.
-#' A component of a vector that is rounding noise beside the others is shown as 0.
+#' Any other shows as many columns as fit with their whole names, and names the rest below: the
+#' answers first, columns without a value last. A component of a vector, or a rotor of a shaft, that
+#' is rounding noise beside the others is shown as 0.
 #'
 #' @param x A tibble of this package.
 #' @param ...,n,width As of `print()` of a tibble; a `width` that is given has tibble's own print.
@@ -40,27 +41,38 @@ print.rot_table <- function(x, ..., n = NULL, width = NULL) {
     writeLines(upright_lines(shown))
     return(invisible(x))
   }
-  writeLines(table_lines(shown, n))
+  writeLines(table_lines(shown, n, x))
   invisible(x)
 }
 
-# Motions and other tables with a head of their own, and lists of two columns, stay rows.
+# Motions and other tables with a head of their own, and lists of two columns with words, stay rows.
 is_upright <- function(x) {
-  nrow(x) == 1L && length(x) > 2L && identical(names(tbl_sum(x)), "A tibble") &&
+  long <- length(x) > 2L || length(x) == 2L && all(vapply(unclass(x), is.numeric, NA))
+  nrow(x) == 1L && long && identical(names(tbl_sum(x)), "A tibble") &&
     all(vapply(unclass(x), is.atomic, NA))
 }
 
 #' @export
 print.rot_trajectory <- print.rot_table
 
+# Columns in the order of a print: those that `first` names, the others, those without a value.
+print_order <- function(x) {
+  empty <- nrow(x) > 0L & vapply(unclass(x), function(value) {
+    is.atomic(value) && all(is.na(value))
+  }, NA)
+  order(empty, !names(x) %in% attr(x, "first", exact = TRUE))
+}
+
 upright_lines <- function(x) {
   table <- column_table()
+  columns <- unclass(x)[print_order(x)]
+  x <- columns
   units <- table$unit[match(names(x), table$name)]
   # Columns that are arguments have theirs in the name.
   other <- is.na(units)
   units[other] <- unit_in_name(names(x)[other])
-  units[units == "1"] <- ""
-  values <- vapply(unclass(x), function(value) {
+  units[units == "1" | vapply(x, is.na, NA)] <- ""
+  values <- vapply(x, function(value) {
     if (is.double(value)) format(signif(as.double(value), 7), digits = 7) else
       escape_controls(format(value))
   }, "")
@@ -87,14 +99,24 @@ unit_in_name <- function(names) {
   }, "", USE.NAMES = FALSE)
 }
 
-# Lines of as many columns as fit without abbreviated names.
-table_lines <- function(x, n) {
+# Lines of as many columns as fit without abbreviated names. `of`: the object, for the head, since a
+# motion with other values has no error figure.
+table_lines <- function(x, n, of = x) {
   width <- getOption("width")
-  columns <- lapply(stats::setNames(seq_along(x), names(x)), function(i) .subset2(x, i))
+  in_order <- print_order(x)
+  columns <- lapply(stats::setNames(in_order, names(x)[in_order]), function(i) .subset2(x, i))
   plain <- tibble::new_tibble(columns, nrow = nrow(x))
+  listed <- function(names, text) {
+    strwrap(paste0(length(names), text, if (length(names) > 1L) "s", ": ", toString(names)),
+            width - 1L, prefix = "#   ", initial = "# ")
+  }
   body <- function(m) {
     lines <- format(plain[seq_len(m)], n = n, width = Inf)
     lines[!startsWith(cli::ansi_strip(lines), "#")]
+  }
+  if (!nrow(x)) {
+    whole <- cli::ansi_strip(format(of, n = n, width = width))
+    return(c(whole[cumsum(grepl("[0-9]+ variable", whole)) == 0L], listed(names(x), " column")))
   }
   # What does not fit is wrapped: more lines.
   one <- length(body(1L))
@@ -105,36 +127,41 @@ table_lines <- function(x, n) {
     middle <- (low + high + 1L) %/% 2L
     if (fits(middle)) low <- middle else high <- middle - 1L
   }
-  whole <- format(x, n = n, width = width)
+  whole <- format(of, n = n, width = width)
   comment <- startsWith(cli::ansi_strip(whole), "#")
   head <- whole[cumsum(!comment) == 0L]
   rows <- grep("more row", whole[comment & cumsum(!comment) > 0L], value = TRUE)
   rows <- sub(
     ",? (and )?([0-9]+ more variables?|abbreviated variable names?).*$", "", cli::ansi_strip(rows)
   )
-  others <- names(x)[-seq_len(low)]
-  more <- if (length(others)) {
-    strwrap(
-      paste0(length(others), " more column", if (length(others) > 1L) "s", ": ",
-             paste(others, collapse = ", ")),
-      width - 1L, prefix = "#   ", initial = "# "
-    )
-  }
-  c(head, body(low), rows, more)
+  others <- names(columns)[-seq_len(low)]
+  c(head, body(low), rows, if (length(others)) listed(others, " more column"))
 }
 
-# Columns named ..._x_..., ..._y_..., ..._z_... are components of one vector.
+# Columns named ..._x_..., ..._y_..., ..._z_... are components; those of one unit are compared. Of
+# rows with an index the bodies at one time are.
 without_noise <- function(x) {
-  stem <- sub("(^|_)[xyz](_|$)", "\\1?\\2", names(x))
-  for (one in unique(stem[grepl("?", stem, fixed = TRUE)])) {
-    at <- which(stem == one)
-    numbers <- vapply(unclass(x)[at], is.double, NA)
-    if (length(at) != 3L || !all(numbers)) next
+  is_component <- grepl("(^|_)[fv]?[xyz](_|$)", names(x)) & vapply(unclass(x), is.double, NA)
+  unit <- unit_in_name(names(x))
+  for (one in unique(unit[is_component])) {
+    at <- which(is_component & unit == one)
+    if (length(at) < 2L) next
     size <- do.call(pmax, c(lapply(unclass(x)[at], abs), na.rm = TRUE))
-    for (i in at) {
-      small <- !is.na(x[[i]]) & is.finite(size) & abs(x[[i]]) < 1e-14 * size
-      x[[i]][small] <- 0
-    }
+    for (i in at) x[[i]] <- noise_as_0(x[[i]], size)
+  }
+  index <- intersect(c("rotor", "link"), names(x))
+  if (length(index) != 1L || !is.double(x[["time_s"]]) || !nrow(x)) return(x)
+  # More rows are not shown.
+  rows <- seq_len(min(nrow(x), 10000L))
+  moment <- match(x[["time_s"]][rows], unique(x[["time_s"]][rows]))
+  for (i in setdiff(which(vapply(unclass(x), is.double, NA)), match("time_s", names(x)))) {
+    largest <- vapply(split(abs(x[[i]][rows]), moment), max, 0)
+    x[[i]][rows] <- noise_as_0(x[[i]][rows], unname(largest[moment]))
   }
   x
+}
+
+noise_as_0 <- function(value, size) {
+  value[!is.na(value) & is.finite(size) & abs(value) < 1e-14 * size] <- 0
+  value
 }

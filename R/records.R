@@ -41,7 +41,7 @@ records_format <- 1L
 #' @param ... Not used: an unknown argument is an error.
 #' @param note Any text, or NULL.
 #' @param rows `"some"` or `"all"`: which rows to keep.
-#' @param record For `records_rerun()`: whether to record the new run, too (it says what it
+#' @param store For `records_rerun()`: whether to record the new run, too (it says what it
 #'   repeats).
 #' @return
 #' * `records_create()`: the names of the tables and views that were made, invisibly.
@@ -129,10 +129,10 @@ records_read <- function(con, run, ...) {
 
 #' @rdname records_create
 #' @export
-records_rerun <- function(con, run, ..., record = FALSE) {
+records_rerun <- function(con, run, ..., store = FALSE) {
   call <- check_no_dots(...)
   check_supplied(c("con", "run"), call)
-  record <- check_flag(record, "record", call)
+  store <- check_flag(store, "store", call)
   db <- open_records(con, call)
   on.exit(db$close())
   old <- read_record(db, run, call)
@@ -152,7 +152,7 @@ records_rerun <- function(con, run, ..., record = FALSE) {
     rotdyn_warning_accuracy = function(w) rlang::cnd_muffle(w)
   )
   result <- compare_record(old, motion)
-  if (record) {
+  if (store) {
     scene <- text_of_motion(motion, call)
     result$new_run <- write_record(db, motion, scene, NULL, "some", old$run, call)
   }

@@ -29,7 +29,7 @@
 #'   columns `r describe_columns(columns_of_motion("clutch"))`
 #'   The error is a bound.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
-#'   `rotdyn_error_unit`; `rotdyn_error_torque` for a torque that is not constant between jumps.
+#'   `rotdyn_error_unit`.
 #' @source Shigley, Mechanical Engineering Design, 7th ed. (2004), chapter 16 (energy of clutches).
 #' @seealso [clutch_engagement()] for numbers, [scene_drive()] for any torque law,
 #'   [trajectory()].

@@ -122,7 +122,7 @@ new_friction <- function(capacity, static_ratio, from_s, to_s, call) {
   if (is.numeric(capacity)) {
     capacity <- check_number(capacity, "capacity_n_m", "N*m", call, lower = 0)
   }
-  law <- as_torque(capacity, call)
+  law <- as_torque(capacity, call, "capacity_n_m")
   if (inherits(law, "rot_torque_knots") && any(c(law$torque_n_m, law$outside) < 0)) {
     abort_rotdyn(c(
       "{.arg capacity_n_m} must be at least 0 N m at all knots.",

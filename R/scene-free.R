@@ -262,9 +262,10 @@ breaks_of <- function(torque, call) {
 
 # Laws of time along axes: numbers where all are constant, else a function of the time.
 torque_by_axes <- function(laws, call) {
-  laws <- lapply(laws[c("x", "y", "z")], as_torque, call)
+  laws <- lapply(stats::setNames(nm = c("x", "y", "z")), function(axis) {
+    as_torque(laws[[axis]], call, paste0("torque$", axis))
+  })
   for (axis in names(laws)) check_law_of_time(laws[[axis]], paste0("torque$", axis), call)
-  names(laws) <- c("x", "y", "z")
   constant <- vapply(laws, torque_is_constant, NA)
   if (all(constant)) {
     return(space_torque(unname(vapply(laws, function(law) law$outside[1], 1)), call))
@@ -276,6 +277,7 @@ torque_by_axes <- function(laws, call) {
 }
 
 torque_arguments <- function(torque, call) {
+  check_law_order(torque, c("time_s", "omega_rad_per_s", "attitude"), "torque", "type", call)
   count_law_arguments(torque, function(n) {
     abort_rotdyn(c(
       "The function {.arg torque} must have one argument, the time, or three.",

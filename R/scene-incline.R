@@ -134,6 +134,7 @@ force_function <- function(f, breaks_s = NULL, ...) {
       i = "A constant force is a number."
     ), "type", call)
   }
+  check_law_order(f, c("time_s", "x_m", "v_m_per_s"), "f", "type", call)
   count_law_arguments(f, function(n) {
     abort_rotdyn(c(
       "{.arg f} must be a function of {.code time_s}, or of {.code time_s, x_m, v_m_per_s}.",
@@ -155,7 +156,7 @@ print.rot_force_function <- function(x, ...) {
 }
 
 describe_force <- function(force) {
-  if (is.function(force)) "an R function" else paste(format_si(force), "N")
+  if (is.function(force)) "an R function, in N" else paste(format_si(force), "N")
 }
 
 # The radius of a body whose beta is known: its own size where that gives beta, else from beta.
@@ -184,8 +185,9 @@ print.rot_scene_incline <- function(x, ...) {
     format_si(x$radius_m), " m, I/(m r^2) ", format_si(beta), "\n",
     "  incline   ", format_si(x$incline_angle_deg), " degrees, gravity ",
     format_si(x$gravity_m_per_s2), " m/s^2\n",
-    "  friction  ", format_si(x$static_friction), " static, ", format_si(x$kinetic_friction),
-    " kinetic; rolling needs ",
+    "  friction  ", if (x$static_friction == Inf) "never slips" else paste(
+      format_si(x$static_friction), "static,", format_si(x$kinetic_friction), "kinetic"
+    ), "; rolling needs ",
     format(rolling_friction_coefficient(beta, x$incline_angle_deg), digits = 4), "\n",
     if (x$rolling_arm_m > 0) paste0("  arm       ", format_si(x$rolling_arm_m), " m\n"),
     resistance_line(x),

@@ -94,7 +94,8 @@ family_loads <- function(torque, resistance, brake, n, call) {
   }
   terms <- if (is.list(resistance) && !is.object(resistance)) resistance else list(resistance)
   plain <- all(vapply(terms, function(one) {
-    !inherits(one, "rot_resistance") || all(resisting_terms(one) == "viscous_n_m_s")
+    !inherits(one, "rot_resistance") ||
+      all(resisting_terms(one) == "viscous_n_m_s") && isTRUE(one$viscous_n_m_s >= 0)
   }, NA))
   if (is.numeric(laws) && plain && is.null(brake)) {
     return(list(

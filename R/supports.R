@@ -121,7 +121,7 @@ print.rot_support <- function(x, ...) {
   check_form(x, support_form, "x", "support", call)
   if (!support_is_whole(x)) abort_form("kind", "x", "support", call)
   point <- function(p) paste0("(", paste(format_si(p), collapse = ", "), ") m")
-  cat("<support> ", x$name, ": ", x$kind, " at ", point(x$at_m), sep = "")
+  cat("<support> ", if (x$name != x$kind) c(x$name, ": "), x$kind, " at ", point(x$at_m), sep = "")
   if (length(x$to_m)) cat(" to ", point(x$to_m), sep = "")
   if (length(x$normal)) {
     word <- if (x$kind == "hinge") ", axis (" else ", normal ("

@@ -97,6 +97,12 @@ augment.rot_swing_fit <- function(x, ...) {
   ), nrow = length(fitted))
 }
 
+#' @export
+summary.rot_swing_fit <- function(object, ...) {
+  check_no_dots(...)
+  glance(object)
+}
+
 #' @rdname predict.rot_swing_fit
 #' @export
 glance.rot_swing_fit <- function(x, ...) {

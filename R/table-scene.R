@@ -105,12 +105,18 @@ check_named_vector <- function(x, name, input, call) {
 }
 
 check_torque <- function(x, name, call) {
-  torque <- as_torque(x, call)
+  torque <- as_torque(x, call, name)
   if (!torque_is_none(torque)) torque
 }
 
 # A number, or a function.
 check_force <- function(x, name, input, call) {
+  if (inherits(x, "rot_torque")) {
+    abort_rotdyn(c(
+      "{.arg {name}} must be a number in N, a function, or a {.fn force_function}.",
+      x = "It is a torque law: {describe_torque(x)}."
+    ), "type", call)
+  }
   if (!is.function(x)) return(check_number(x, name, input$unit, call))
   check_law(x, name, input, call)
 }
@@ -124,7 +130,7 @@ check_laws <- function(x, name, call) {
       i = "What acts on the first alone: {.code list({name}, NULL)}."
     ), "type", call)
   }
-  laws <- lapply(unname(x), as_torque, call)
+  laws <- lapply(seq_along(x), function(i) as_torque(x[[i]], call, paste0(name, "[[", i, "]]")))
   if (!all(vapply(laws, torque_is_none, NA))) laws
 }
 
@@ -138,6 +144,7 @@ check_law <- function(f, name, input, call) {
     ), "type", call)
   }
   if (!is.function(f)) refuse("It is {describe_value(f)}.")
+  if (name == "force") check_law_order(f, c("time_s", "x_m", "v_m_per_s"), name, "type", call)
   count_law_arguments(f, function(n) refuse("It has {n} argument{?s} without a default.", n))
   f
 }

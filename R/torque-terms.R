@@ -204,7 +204,7 @@ torque_polynomial <- function(breaks_s, coefficients, ...) {
     "polynomial", c(n, degree, breaks_s, t(a)),
     paste0(
       "polynomials of degree ", degree - 1L, " from ", format_si(breaks_s[1]), " to ",
-      format_si(breaks_s[n + 1L]), " s"
+      format_si(breaks_s[n + 1L]), " s, in N m"
     ),
     breaks_s = breaks_s
   )
@@ -283,7 +283,8 @@ torque_curve <- function(omega_rad_per_s, torque_n_m, ...) {
     "curve", c(n, omega, torque_n_m),
     paste0(
       "a torque-speed curve of ", n, " points from ", format_si(omega[1]), " to ",
-      format_si(omega[n]), " rad/s"
+      format_si(omega[n]), " rad/s, ",
+      paste(unique(format_si(range(torque_n_m))), collapse = " to "), " N m"
     )
   )
 }

@@ -131,7 +131,7 @@ torque_function <- function(f, breaks_s = NULL, vectorised = FALSE, ...) {
   new_torque_function(f, breaks_s, vectorised, call)
 }
 
-new_torque_function <- function(f, breaks_s, vectorised, call) {
+new_torque_function <- function(f, breaks_s, vectorised, call, arg = "f") {
   if (!is.function(f)) {
     abort_rotdyn(c(
       "{.arg f} must be a function.",
@@ -148,15 +148,16 @@ new_torque_function <- function(f, breaks_s, vectorised, call) {
   }
   new_torque(
     "rot_torque_function",
-    f = f, breaks_s = breaks_s, arguments = count_arguments(f, call), vectorised = vectorised
+    f = f, breaks_s = breaks_s, arguments = count_arguments(f, arg, call), vectorised = vectorised
   )
 }
 
 # 1: f(time_s). 3: f(time_s, theta_rad, omega_rad_per_s). Arguments with a default are f's own.
-count_arguments <- function(f, call) {
+count_arguments <- function(f, arg, call) {
+  check_law_order(f, c("time_s", "theta_rad", "omega_rad_per_s"), arg, "torque", call)
   count_law_arguments(f, function(n) {
     abort_rotdyn(c(
-      "{.arg f} must be a function of {.code time_s}, or of
+      "{.arg {arg}} must be a function of {.code time_s}, or of
        {.code time_s, theta_rad, omega_rad_per_s}.",
       x = "It has {n} argument{?s} without a default."
     ), "torque", call)
@@ -164,18 +165,18 @@ count_arguments <- function(f, call) {
 }
 
 # The torque argument of a scene as a law.
-as_torque <- function(x, call) {
+as_torque <- function(x, call, arg = "torque") {
   if (inherits(x, "rot_torque")) {
-    check_form(x, torque_form, "torque", "torque law", call)
+    check_form(x, torque_form, arg, "torque law", call)
   } else if (is.null(x)) {
     torque_constant(0)
   } else if (is.function(x)) {
-    new_torque_function(x, NULL, FALSE, call)
+    new_torque_function(x, NULL, FALSE, call, arg)
   } else if (is.numeric(x)) {
-    torque_constant(check_number(x, "torque", "N*m", call))
+    torque_constant(check_number(x, arg, "N*m", call))
   } else {
     abort_rotdyn(c(
-      "{.arg torque} must be a torque law, a function, or one number in N m.",
+      "{.arg {arg}} must be a torque law, a function, or one number in N m.",
       x = "It is {describe_value(x)}.",
       i = if (inherits(x, c("rot_resistance", "rot_brake"))) resistance_remedy(x) else
         "Laws are {.fn torque_constant}, {.fn torque_knots} and others that begin with
@@ -216,7 +217,7 @@ describe_torque <- function(torque) {
     }
     return(paste0(
       "an R function of ", if (torque$arguments == 3L) "time, angle and rate" else "time",
-      " (", breaks, ")"
+      ", in N m (", breaks, ")"
     ))
   }
   n <- length(torque$time_s)
@@ -227,7 +228,7 @@ describe_torque <- function(torque) {
     "straight lines between ", n, " knots from ", format_si(torque$time_s[1]), " to ",
     format_si(torque$time_s[n]), " s",
     if (jumps) paste0(", ", jumps, if (jumps == 1) " jump" else " jumps"), ", ",
-    format_si(min(torque$torque_n_m)), " to ", format_si(max(torque$torque_n_m)), " N m, ",
+    paste(unique(format_si(range(torque$torque_n_m))), collapse = " to "), " N m, ",
     outside, " outside"
   )
 }
@@ -243,7 +244,8 @@ print.rot_torque <- function(x, ...) {
 resistance_remedy <- function(x) {
   if (inherits(x, "rot_brake")) {
     "A brake that drags all the time is {.code resistance = resistance(coulomb_n_m = )};
-     {.fn brake} is one of a {.fn scene_drive}."
+     one that is applied and let go is {.code brake = brake(...)}, of an axle, gears, rotors, a
+     clutch or a drive."
   } else {
     "What resists is given by name: {.code resistance = resistance(...)}."
   }

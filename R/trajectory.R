@@ -556,6 +556,7 @@ describe_error <- function(run) {
 #' summary(spin_up())
 #' @export
 summary.rot_trajectory <- function(object, ...) {
+  check_no_dots(...)
   run <- check_trajectory(object, "object", rlang::current_env())
   new_table(c(
     constraint_of(run$scene)$summary(object, run),
@@ -575,6 +576,7 @@ summary.rot_trajectory <- function(object, ...) {
 #' @rawNamespace export(glance)
 #' @export
 glance.rot_trajectory <- function(x, ...) {
+  check_no_dots(...)
   summary(x)
 }
 
@@ -645,6 +647,7 @@ predict.rot_trajectory <- function(object, time_s, ...) {
 #' omega jumps; a `switch`, where its derivative jumps; a `stop`, behind which the body rests.
 #'
 #' @param x A `rot_trajectory`, or what [estimate_motion()] returned.
+#' @param ... Not used: an unknown argument is an error.
 #' @return A tibble with the columns `r describe_columns(c("time_s", "event"))`
 #'   of an estimate, `r describe_columns(estimate_event_columns)`
 #'   and, of a [scene_drive()], `where`: the rotor or coupling. A motion that starts at rest, held
@@ -659,13 +662,13 @@ predict.rot_trajectory <- function(object, time_s, ...) {
 #' motion_events(trajectory(scene_pendulum(body_point(1), 0.5, theta0_rad = 1), time_s = 0:3))
 #' @concept turning point
 #' @export
-motion_events <- function(x) {
+motion_events <- function(x, ...) {
   check_supplied("x", rlang::current_env())
   UseMethod("motion_events")
 }
 
 #' @export
-motion_events.default <- function(x) {
+motion_events.default <- function(x, ...) {
   check_class(
     x, "rot_trajectory", "x", "{.fn trajectory} and {.fn estimate_motion} give some.",
     rlang::current_env()
@@ -673,7 +676,8 @@ motion_events.default <- function(x) {
 }
 
 #' @export
-motion_events.rot_trajectory <- function(x) {
+motion_events.rot_trajectory <- function(x, ...) {
+  check_no_dots(...)
   run <- check_trajectory(x, "x", rlang::current_env())
   events <- run$events
   out <- list(time_s = as.double(events$time_s), event = as.character(events$event))

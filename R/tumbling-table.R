@@ -61,5 +61,6 @@ tumbling_table <- function(parameters, time_s, ..., threads = 1) {
   out <- lapply(out, function(x) if (anyNA(x)) replace(x, is.nan(x), NA_real_) else x)
   data <- table_from(parameters)
   data[tumbling_columns] <- out
+  attr(data, "first") <- tumbling_columns
   data
 }

@@ -4,7 +4,9 @@
 #' what they were given.
 #'
 #' An argument that had its default follows the change: of a ball that rolls from the start the
-#' angular velocity follows a new `v0_m_per_s`, and kinetic friction follows static friction.
+#' angular velocity follows a new `v0_m_per_s`, and kinetic friction follows static friction. Rates
+#' of a drive that turns at its ratios follow new ratios. A mass replaces a density, and the
+#' reverse.
 #'
 #' @param object A scene, such as [scene_axle()], or a body.
 #' @param ... Arguments of its constructor, by name. NULL, where the constructor takes it, removes
@@ -49,11 +51,28 @@ update.rot_body <- function(object, ...) {
   if (name == "rot_body" || !exists(name, envir = topenv(), mode = "function")) {
     abort_rotdyn(c(
       "No constructor makes this body from sizes: it is a {.val {object$shape}}.",
-      i = "Make it anew from its parts."
+      i = if (name == "rot_body") remade_by(object$provenance) else "Make it anew from its parts."
     ), "type", call)
   }
   changed_object(object, name, forms[[1]]$arguments(object), list(...), call)
 }
+
+# Where a body of no shape comes from.
+remade_by <- function(provenance) {
+  if (provenance %in% c("quadrature", "monte_carlo")) provenance <- "density"
+  if (!provenance %in% c("tensor", "mesh", "density", "points")) {
+    return("Make it anew from its parts.")
+  }
+  paste0("Make it anew with {.fn body_", provenance, "}.")
+}
+
+# Arguments of other constructors whose scene is a drive where a brake or a law asks for it.
+parts_of_drive <- c(
+  body = "bodies", body_1 = "bodies", body_2 = "bodies", axis = "bodies", through = "bodies",
+  ratios = "couplings", efficiency = "couplings", stiffness_n_m_per_rad = "couplings",
+  damping_n_m_s = "couplings", capacity_n_m = "couplings", static_capacity_n_m = "couplings",
+  engage_s = "couplings"
+)
 
 changed_object <- function(object, name, arguments, changes, call) {
   constructor <- get(name, envir = topenv(), mode = "function")
@@ -61,10 +80,16 @@ changed_object <- function(object, name, arguments, changes, call) {
   wrong <- setdiff(names(changes) %||% rep("", length(changes)), known)
   if (length(wrong)) {
     near <- near_names(wrong[nzchar(wrong)], known)
+    part <- if (name == "scene_drive") stats::na.omit(parts_of_drive[wrong])
+    if (length(part)) near <- NULL
     abort_rotdyn(c(
       if (all(nzchar(wrong))) "{.fn {name}} has no argument {.arg {wrong}}." else
         "Arguments to change must be given by name.",
       i = if (length(near)) "Did you mean {.arg {near}}?",
+      i = if (length(part)) {
+        "A brake or a torque law made this scene a {.fn scene_drive}: {.arg {names(part)[1]}} is in
+         its {.arg {part[[1]]}}."
+      },
       i = "The arguments are {.arg {known}}."
     ), "argument", call)
   }
@@ -75,6 +100,12 @@ changed_object <- function(object, name, arguments, changes, call) {
     if (identical(formals(constructor)[[one]], quote(expr = ))) next
     without <- make_quietly(make, list(arguments[setdiff(names(arguments), one)]))
     if (same_object(without, object)) arguments[[one]] <- NULL
+  }
+  # A body has a mass or a density.
+  amounts <- c("mass_kg", density_names[nzchar(density_names)])
+  if (inherits(object, "rot_body") && any(names(changes) %in% amounts)) {
+    changes <- changes[!(names(changes) %in% amounts & vapply(changes, is.null, NA))]
+    if (any(names(changes) %in% amounts)) arguments[amounts] <- NULL
   }
   arguments[names(changes)] <- changes
   tryCatch(make(arguments), rotdyn_error = function(e) {

@@ -52,7 +52,9 @@ tables <- function() {
       ixx_kg_m2 = 1:2, iyy_kg_m2 = 2, izz_kg_m2 = 2.5, omega_x_rad_per_s = 1,
       omega_y_rad_per_s = 0.1, omega_z_rad_per_s = 0.1
     ), 2),
-    impulse = angular_impulse(2, 0, 1, body = 3), columns = metadata()$quantities
+    impulse = angular_impulse(2, 0, 1, body = 3), columns = metadata()$quantities,
+    no_events = motion_events(motion), slow = rolling_disk_speed(body_disk(0.006, 0.012)),
+    one_energy = energy_partition(disk, 3)
   )
 }
 
@@ -86,6 +88,148 @@ test_that("no name is abbreviated, no line is too long, and the answer comes fir
     }
     options(old)
   }
+})
+
+# The answer of each table: a column, in the head of the rows or in the first five lines.
+answers <- c(
+  motion = "omega_rad_per_s", summary = "max_angular_velocity_rad_per_s", events = "event",
+  glance = "max_angular_velocity_rad_per_s", augment = "omega_rad_per_s", first = "time_s",
+  all = "time_s", period = "period_s", stop = "stop_time_s", models = "model", shapes = "shape",
+  conserved = "conserved", free = "qw", pivot = "qw", incline = "v_m_per_s",
+  drive = "omega_rad_per_s", clutch = "omega_1_rad_per_s", chain = "omega_rad_per_s",
+  hanging = "omega_rad_per_s", rolling = "acceleration_m_per_s2",
+  inertia = "moment_of_inertia_kg_m2", race = "x_m",
+  race_order = "object", tops = "precession_rad_per_s", energies = "rotational_energy_fraction",
+  kinematics = "omega_rad_per_s", point = "tangential_speed_m_per_s", coin = "contact_x_m",
+  turntable = "vx_m_per_s", collision = "vx_1_m_per_s", bounce = "vx_m_per_s",
+  hit = "omega_rad_per_s", lock = "common_omega_rad_per_s", structure = "fy_n",
+  reactions = "value", resultant = "force_n", modes = "natural_rad_per_s",
+  stability = "principal_moment_kg_m2", axes = "principal_moment_kg_m2",
+  spool = "acceleration_m_per_s2", atwood = "tension_1_n", friction = "friction_needed",
+  attitude = "qw", sweep = "final_theta_rad", inclines = "final_x_m",
+  tumbling = "final_qw", impulse = "angular_impulse_n_m_s", columns = "unit",
+  no_events = "time_s", slow = "min_speed_m_per_s", one_energy = "rotational_kinetic_energy_j"
+)
+
+test_that("the answer of a table is in its first columns, or in the first five lines", {
+  all <- suppressWarnings(suppressMessages(tables()))
+  expect_setequal(
+    c(names(answers), "choice", "audit", "one_body", "ledger", "flips", "gears"), names(all)
+  )
+  for (width in c(80L, 60L)) {
+    old <- options(width = width)
+    for (name in names(answers)) {
+      lines <- cli::ansi_strip(utils::capture.output(print(all[[name]])))
+      rows <- !startsWith(lines, "#")
+      shown <- if (any(rows)) utils::head(lines[rows], 4) else lines
+      expect_match(
+        paste(shown, collapse = "\n"), paste0("(^|\\s)", answers[[name]], "(\\s|,|$)"),
+        info = paste(name, width)
+      )
+    }
+    options(old)
+  }
+})
+
+# One of each class with a print of its own, and what its first five lines must say.
+others <- function() {
+  disk <- body_disk(2, 0.25)
+  box <- body_box(1, 1, 2, 3)
+  ball <- body_sphere(1, 0.1)
+  time_s <- seq(0, 10, 0.05)
+  coast <- data.frame(time_s, theta_rad = 10 * (1 - exp(-time_s / 5)) + 1e-3 * sin(1e4 * time_s))
+  swing <- data.frame(
+    time_s, theta_rad = 0.1 * exp(-0.02 * time_s) * cos(3 * time_s) + 1e-4 * sin(1e4 * time_s)
+  )
+  start <- c(0.2, 0.3)
+  motion <- spin_up(time_s = 0:8)
+  tetrahedron <- list(
+    vertices = rbind(0, diag(3)),
+    faces = rbind(c(1, 3, 2), c(1, 2, 4), c(1, 4, 3), c(2, 3, 4))
+  )
+  list(
+    list(torque_knots(c(0, 1, 4), c(0, 1, 0)), "0 to 1 N m"),
+    list(torque_pulse(0, 1, 2), ", 2 N m"), list(torque_polynomial(0:1, 1:2), "N m"),
+    list(torque_function(function(time_s) time_s, 1), "N m"),
+    list(torque_curve(c(0, 10), c(1, 0)), "0 to 1 N m"),
+    list(torque_motor(1, 10) + torque_constant(2), "N m"), list(torque_spring(1), "N m/rad"),
+    list(force_function(function(time_s) 1), "in N"), list(resistance(0.1), "0.1 N m s"),
+    list(brake(5), "5 N m"), list(rotor("z", 0.1, 3), "3 rad/s"),
+    list(coupling_gear(2), "ratio 2"), list(coupling_shaft(5), "5 N m/rad"),
+    list(inertia_knots(0:1, c(2, 1)), "kg m\\^2"), list(disk, "Izz 0.0625 kg m\\^2"),
+    list(inertia_tensor(box), "kg m\\^2"), list(domain_ball(1), "ball: radius_m = 1"),
+    list(curve_circle(1), "radius 1 m"),
+    list(support_pin(c(0, 0)), "<support> pin at \\(0, 0\\) m"),
+    list(support_pin(c(0, 0), name = "A"), "<support> A: pin at"),
+    list(scene_axle(disk, 1), "torque +constant, 1 N m"),
+    list(scene_axle(disk, brake = brake(3)), "on a fixed axle with a brake(.|\n)*3 N m"),
+    list(scene_pendulum(body_rod_end(1, 0.5), theta0_rad = 1), "start +theta 1 rad"),
+    list(scene_hanging_mass(disk, 1), "falls +with 4.9"), list(scene_gears(1:2, 3), "ratio"),
+    list(scene_rotors(1:2, 100), "100 N m/rad"), list(scene_clutch(2, 3, 12), "12 N m"),
+    list(scene_drive(1:2, coupling_shaft(5)), "shaft, 5 N m/rad"),
+    list(scene_chain(c(1, 1), 1, 0.1), "theta0_rad +0.1 rad"),
+    list(scene_hoop(1, 1, 2), "hoop_omega_rad_per_s +2 rad/s"),
+    list(scene_free(c(1, 2, 3), c(0, 4, 0)), "omega 0, 4, 0 rad/s"),
+    list(scene_pivot(disk, c(0, 0, 60), pivot_m = c(0, 0, -0.1)), "omega 0, 0, 60 rad/s"),
+    list(scene_incline(ball, 20), "never slips; rolling needs 0.104"),
+    list(scene_incline(ball, 20, static_friction = 0.3), "0.3 static"),
+    list(motion, "on a fixed axle"), list(audit(motion), "work of the torque +55.12 J"),
+    list(choose_model(scene_axle(disk), 0:2), "axle_free"),
+    list(collision_ledger(disks_lock(1, 3, 60, 0)), "energy \\(J\\) +1800 +450"),
+    list(principal_axes(box), "asymmetric"), list(check_inertia(diag(3)), "physical"),
+    list(check_mesh(tetrahedron), "closed|bounds|solid"),
+    list(measured(1.4, 1e-3), "1.4000\\(10\\)"),
+    list(inertia_torsion(measured(1.4, 0.001), 2), "I = 0.0993?\\d*\\(\\d+\\) kg m\\^2"),
+    list(pool_periods(c(14.1, 14.2, 14.05), 10), "period 1.41\\d*\\(\\d+\\) s"),
+    list(fit_pivots(c(1.5, 1.4, 1.45, 1.6, 1.7), 2:6 / 10), "m/s\\^2"),
+    list(uncertainty_budget(function(m, r) m * r^2, m = measured(1, 0.01), r = measured(0.1, 1e-3)),
+         "y = 0.0100"),
+    list(fit_coast_down(motion_record(coast, "time_s", "theta_rad"), inertia = 0.1), "viscous"),
+    list(fit_swing(motion_record(swing, "time_s", "theta_rad")), "period"),
+    list(falling_weight(0.1, 0.02), "0.1 kg"), list(rolling_table(), "beta")
+  )
+}
+
+test_that("whatever has a print says the answer in its first five lines, with units", {
+  all <- suppressWarnings(suppressMessages(others()))
+  seen <- character()
+  for (width in c(80L, 60L)) {
+    old <- options(width = width)
+    for (one in all) {
+      lines <- cli::ansi_strip(utils::capture.output(print(one[[1]])))
+      expect_match(paste(utils::head(lines, 5), collapse = "\n"), one[[2]])
+      expect_false(any(grepl("[0-9]e-(1[7-9]|[2-9][0-9])", lines)), info = one[[2]])
+      seen <- union(seen, class(one[[1]]))
+    }
+    options(old)
+  }
+  # Every class that has a print is here; that of a record computed again is in test-records.R.
+  methods <- ls(.BaseNamespaceEnv[[".__S3MethodsTable__."]], pattern = "^print\\.rot_")
+  expect_identical(setdiff(sub("^print\\.", "", methods), seen), "rot_rerun")
+})
+
+test_that("a motion whose noise is shown as 0 keeps its error figure", {
+  motion <- trajectory(scene_rotors(c(1, 2, 3), 100, omega0_rad_per_s = c(1, 0, 0)), 0:2)
+  expect_gt(max(abs(motion$omega_rad_per_s[2:3])), 0)
+  expect_lt(max(abs(motion$omega_rad_per_s[2:3])), 1e-15)
+  lines <- utils::capture.output(print(motion))
+  expect_match(lines[5], "^# Error: +about")
+  expect_match(lines[9], "^2 +0 +2 +0 +0 +0")
+  expect_false(any(grepl("e-17|e\\+ 0", lines)))
+  # Rolling upright along x: y is noise beside x, the contact's beside the centre's.
+  coin <- roll_disk(body_disk(0.006, 0.012), 0:1, 40)
+  expect_gt(max(abs(coin$contact_y_m)), 0)
+  expect_false(any(grepl("e-1[0-9]", utils::capture.output(print(coin)))))
+})
+
+test_that("columns without a value come last, without a unit; an empty table names its columns", {
+  lines <- utils::capture.output(print(inertia_table(body_disk(2, 0.25))))
+  expect_match(lines[length(lines)], "^ +length_m +NA$")
+  lines <- utils::capture.output(print(period_of(scene_free(c(1, 2, 3), c(0.01, 4, 0.01)))))
+  expect_match(lines[4], "^ +amplitude_rad +NaN$")
+  empty <- utils::capture.output(print(motion_events(spin_up(time_s = 0:2))))
+  expect_identical(empty[2], "# 2 columns: time_s, event")
+  expect_match(empty[1], "^# A tibble: 0")
 })
 
 test_that("one row stands upright with units", {
@@ -123,6 +267,7 @@ test_that("a scene and its motion are introduced as what the user described", {
   said <- list(
     "a disk on a fixed axle" = scene_axle(disk, 1),
     "a body on a fixed axle" = scene_axle(0.1),
+    "a body on a fixed axle with a brake" = scene_axle(disk, brake = brake(3)),
     "a body whose moment of inertia changes, on a fixed axle" =
       scene_axle(inertia_knots(0:1, c(2, 1)), omega0_rad_per_s = 3),
     "a pendulum: a rod on a fixed axle" = scene_pendulum(body_rod_end(1, 0.5), theta0_rad = 1),
@@ -171,4 +316,21 @@ test_that("what is an argument has the unit of its name", {
     unit_in_name(c("spin_rad_per_s", "transverse_moment_kg_m2", "axis_angle_deg", "beta", "x_m")),
     c("rad/s", "kg m^2", "degree", "1", "m")
   )
+})
+
+test_that("the summary of a fit and of an estimate is one row, not quartiles of its columns", {
+  time_s <- seq(0, 10, 0.05)
+  noise <- 1e-3 * sin(1e4 * time_s)
+  coast <- motion_record(
+    data.frame(time_s, theta_rad = 10 * (1 - exp(-time_s / 5)) + noise), "time_s", "theta_rad"
+  )
+  swing <- motion_record(
+    data.frame(time_s, theta_rad = exp(-0.02 * time_s) * cos(3 * time_s) + noise),
+    "time_s", "theta_rad"
+  )
+  for (one in list(estimate_motion(coast), fit_coast_down(coast, 0.1), fit_swing(swing))) {
+    expect_identical(summary(one), glance(one))
+    expect_identical(nrow(summary(one)), 1L)
+    expect_error(summary(one, colour_of_it = 1), class = "rotdyn_error_argument")
+  }
 })

@@ -33,3 +33,37 @@ test_that("the examples of the README print what it shows", {
     expect_identical(plain(printed), plain(shown), label = chunk[1])
   }
 })
+
+test_that("README and cheat sheet name functions and arguments that exist, and what is new", {
+  root <- Sys.getenv("ROTDYN_ROOT", "no such folder")
+  sheet <- file.path(root, "vignettes", "cheat-sheet.Rmd")
+  if (!file.exists(sheet)) skip("no vignettes")
+  sheet <- readLines(sheet, encoding = "UTF-8")
+  of_others <- c(
+    "library", "tail", "seq", "c", "list", "function", "vignette", "autoplot", "update", "predict",
+    "summary"
+  )
+  for (text in list(readme(), sheet)) {
+    code <- unlist(regmatches(text, gregexpr("`[^`]+`", text)))
+    called <- unlist(regmatches(code, gregexpr("[a-z_.]+(?=\\()", code, perl = TRUE)))
+    known <- c(getNamespaceExports("rotdyn"), of_others, "install.packages")
+    expect_identical(setdiff(called, known), character())
+    # Arguments by name, of calls without calls inside.
+    plain <- unlist(regmatches(code, gregexpr("[a-z_]+\\([^()]*=[^()]*\\)", code)))
+    for (call in plain) {
+      name <- sub("\\(.*", "", call)
+      f <- tryCatch(getExportedValue("rotdyn", name), error = function(e) NULL)
+      if (is.null(f) || name %in% c("compare_runs", "forces")) next
+      said <- regmatches(call, gregexpr("[a-z0-9_]+(?= *=)", call, perl = TRUE))[[1]]
+      expect_identical(setdiff(said, c(names(formals(f)), "omega_rad_per_s")), character())
+    }
+  }
+  scenes <- grep("^scene_(?!hash)", getNamespaceExports("rotdyn"), value = TRUE, perl = TRUE)
+  for (name in c(scenes, "brake", "time_when", "period_of", "update")) {
+    expect_true(any(grepl(paste0(name, "("), sheet, fixed = TRUE)), info = name)
+  }
+  for (name in c("brake(", "time_when(", "period_of(", "update(", "axle_euler", "step_s")) {
+    expect_true(any(grepl(name, readme(), fixed = TRUE)), info = name)
+    expect_true(any(grepl(name, sheet, fixed = TRUE)), info = name)
+  }
+})

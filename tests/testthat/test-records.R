@@ -46,7 +46,7 @@ test_that("a run is recorded, listed, read and computed again", {
   expect_identical(again$verdict, "identical")
   expect_true(all(again$where$difference == 0))
   expect_output(print(again), "identical")
-  second <- records_rerun(lab, run, record = TRUE)$new_run
+  second <- records_rerun(lab, run, store = TRUE)$new_run
   expect_identical(records_list(lab)$repeats,
     c(NA, run)[match(records_list(lab)$run, c(run, second))])
   expect_true(all(records_check(lab)$holds))
@@ -647,7 +647,7 @@ test_that("the length of the steps is kept, and a run by steps is computed again
   run <- records_add(lab, motion)
   expect_identical(records_read(lab, run)$step_s, 0.05)
   expect_false("step_s" %in% records_read(lab, run)$values$quantity)
-  again <- records_rerun(lab, run, record = TRUE)
+  again <- records_rerun(lab, run, store = TRUE)
   expect_identical(again$verdict, "identical")
   expect_identical(again$motion$omega_x_rad_per_s, motion$omega_x_rad_per_s)
   expect_identical(records_rerun(lab, again$new_run)$verdict, "identical")

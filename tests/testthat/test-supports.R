@@ -1,5 +1,5 @@
 test_that("supports keep what they were given, and print it", {
-  expect_output(print(support_pin(c(0, 0))), "pin: pin at (0, 0) m", fixed = TRUE)
+  expect_output(print(support_pin(c(0, 0))), "<support> pin at (0, 0) m", fixed = TRUE)
   floor <- support_surface(c(1, 0), friction = 0.4, name = "floor")
   expect_output(print(floor), "floor: surface at (1, 0) m, normal (0, 1), friction 0.4",
                 fixed = TRUE)

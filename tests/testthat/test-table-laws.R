@@ -12,7 +12,7 @@ last_rates <- function(motion) {
 }
 
 test_that("a law of time on a free body or a top takes few calls, and moves it as before", {
-  of_state <- function(time_s, attitude, omega_rad_per_s) push(time_s)
+  of_state <- function(time_s, omega_rad_per_s, attitude) push(time_s)
   scenes <- list(
     function(law) scene_free(c(1, 2, 3), c(1, 2, 0.5), torque = law),
     function(law) scene_free(c(1, 2, 3), c(1, 2, 0.5), torque = law, torque_axes = "space"),
