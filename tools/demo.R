@@ -188,7 +188,7 @@ if (have_ggplot2) {
 
 heading("Lessons")
 if (nzchar(system.file("doc", "first-motion.html", package = "rotdyn"))) {
-  cat("vignette(\"first-motion\", package = \"rotdyn\") opens lesson 1 in R.\n")
+  cat("vignette(\"kinematics\", package = \"rotdyn\") opens lesson 1 in R.\n")
 } else {
   cat("not installed: they need knitr, rmarkdown and pandoc\n")
 }

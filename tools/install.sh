@@ -21,4 +21,4 @@ test $lessons = yes || options=--no-build-vignettes
   { cat "$work/log"; echo "install: failed"; exit 1; }
 echo "install: $(basename "$tarball" .tar.gz) is in $library"
 test $lessons = no ||
-  echo "install: in R, vignette(\"first-motion\", package = \"rotdyn\") opens lesson 1"
+  echo "install: in R, vignette(\"kinematics\", package = \"rotdyn\") opens lesson 1"

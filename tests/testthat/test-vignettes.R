@@ -117,19 +117,87 @@ if (long_tests) test_that("the visible code of every vignette runs in a fresh se
   }
 })
 
-lessons <- function() {
+# Titles begin with two digits: browseVignettes() orders by title.
+number_of <- function(lines) as.integer(sub("^([0-9]{2}) .*", "\\1", title_of(lines)))
+
+pages_with <- function(pattern) {
   all <- lapply(vignette_files(), readLines, encoding = "UTF-8")
   names(all) <- basename(vignette_files())
-  Filter(function(lines) grepl("^Lesson", title_of(lines)), all)
+  all <- Filter(function(lines) grepl(pattern, title_of(lines)), all)
+  all[order(vapply(all, number_of, 0L))]
+}
+lessons <- function() pages_with("^[0-9]{2} Lesson: ")
+pages_named <- function(lines) {
+  calls <- unlist(regmatches(lines, gregexpr("vignette\\(\"[a-z-]+\"", lines)))
+  sub(".*\"([a-z-]+)\".*", "\\1", calls)
 }
 
-test_that("lesson 1 is there", {
-  expect_match(title_of(lessons()[["first-motion.Rmd"]]), "^Lesson 1:")
+test_that("titles are numbered: introduction, lessons 1, 2, ..., articles, overview", {
+  pages <- pages_with("")
+  kind <- sub("^[0-9]{2} ([A-Za-z]+).*", "\\1", vapply(pages, title_of, ""))
+  expect_identical(
+    rle(unname(kind))$values, c("Introduction", "Lesson", "Article", "Cheat", "For")
+  )
+  numbers <- vapply(pages, number_of, 0L)
+  expect_false(anyDuplicated(numbers) > 0)
+  expect_identical(unname(numbers[kind == "Lesson"]), seq_len(sum(kind == "Lesson")))
+  expect_identical(names(lessons())[1], "kinematics.Rmd")
+  for (name in names(pages)) {
+    entry <- paste0("\\VignetteIndexEntry{", title_of(pages[[name]]), "}")
+    expect_true(any(grepl(entry, pages[[name]], fixed = TRUE)), info = name)
+  }
 })
 
-test_that("each lesson has its parts", {
-  for (name in names(lessons())) {
-    lines <- lessons()[[name]]
+# inst/doc/index.html replaces the index that R would write, which is in the order of file names.
+test_that("the index of the help pages lists all pages in their order", {
+  index <- file.path(Sys.getenv("ROTDYN_ROOT", "no such folder"), "inst", "doc", "index.html")
+  if (!file.exists(index)) index <- system.file("doc", "index.html", package = "rotdyn")
+  skip_if(!nzchar(index), "no index")
+  rows <- grep("<li>", readLines(index, encoding = "UTF-8"), value = TRUE)
+  pages <- pages_with("")
+  expect_identical(
+    sub(".*<a href=\"([^\"]+)\">.*", "\\1", rows), sub("[.]Rmd$", ".html", names(pages))
+  )
+  expect_identical(
+    sub(".*\">(.*)</a>.*", "\\1", rows), unname(vapply(pages, title_of, ""))
+  )
+})
+
+test_that("a lesson needs earlier ones alone, and leads to the next", {
+  course <- sub("[.]Rmd$", "", names(lessons()))
+  for (i in seq_along(course)) {
+    text <- paste(lessons()[[i]], collapse = " ")
+    before <- sub(".*[*]{2}Before:[*]{2}(.*)[*]{2}Time:.*", "\\1", text)
+    expect_identical(
+      setdiff(pages_named(before), c("rotdyn", course[seq_len(i - 1)])), character(),
+      info = course[i]
+    )
+    onward <- grep("^Go on with ", lessons()[[i]], value = TRUE)
+    expect_length(onward, 1)
+    if (i < length(course)) expect_identical(pages_named(onward)[1], course[i + 1])
+  }
+})
+
+# Words of a page without code, equations and tags.
+words_of_page <- function(lines) {
+  text <- paste(lines[-seq_len(which(lines == "---")[2])], collapse = "\n")
+  for (part in c("(?s)```.*?```", "(?s)\\$\\$.*?\\$\\$", "<[^>]*>")) {
+    text <- gsub(part, "", text, perl = TRUE)
+  }
+  length(strsplit(trimws(text), "\\s+")[[1]])
+}
+
+test_that("a lesson has at most 1000 words", {
+  words <- vapply(lessons(), words_of_page, 0L)
+  expect_identical(names(words)[words > 1000], character())
+})
+
+test_that("each lesson has its parts, and so has each article that states objectives", {
+  articles <- Filter(function(lines) "## Objectives" %in% lines, pages_with("Article: "))
+  expect_gt(length(articles), 5)
+  parted <- c(lessons(), articles)
+  for (name in names(parted)) {
+    lines <- parted[[name]]
     has <- function(pattern) any(grepl(pattern, lines))
     expect_true(has("^## Objectives$"), info = name)
     expect_true(has("\\*\\*Before:\\*\\*"), info = name)
@@ -148,20 +216,59 @@ test_that("each lesson has its parts", {
   }
 })
 
-test_that("lessons are numbered, listed for instructors, and lead to pages that exist", {
-  numbers <- vapply(lessons(), function(lines) {
-    as.integer(sub("^Lesson ([0-9]+):.*", "\\1", title_of(lines)))
-  }, integer(1))
-  expect_identical(sort(unname(numbers)), seq_along(numbers))
+test_that("every page is listed for instructors, and links lead to pages that exist", {
   files <- vignette_files()
   pages <- sub("[.]Rmd$", "", basename(files))
   text <- lapply(files, readLines, encoding = "UTF-8")
-  listed <- grep("^\\|", text[[match("instructors", pages)]], value = TRUE)
-  for (page in sub("[.]Rmd$", "", names(lessons()))) {
-    expect_true(any(grepl(paste0("`", page, "`"), listed, fixed = TRUE)), info = page)
+  names(text) <- pages
+  for (page in setdiff(pages, c("cheat-sheet", "instructors"))) {
+    expect_true(any(grepl(paste0("`", page, "`"), text$instructors, fixed = TRUE)), info = page)
   }
-  links <- unlist(regmatches(unlist(text), gregexpr("vignette\\(\"[a-z-]+\"", unlist(text))))
-  expect_identical(setdiff(sub(".*\"([a-z-]+)\".*", "\\1", links), pages), character())
+  expect_identical(setdiff(pages_named(unlist(text)), pages), character())
+  sheets <- grep("^## Worksheet", text$instructors, value = TRUE)
+  expect_identical(
+    as.integer(sub("^## Worksheet ([0-9]+):.*", "\\1", sheets))[seq_along(lessons())],
+    seq_along(lessons())
+  )
+})
+
+# A row: the section of a course, its topic, the page, and its heading or exercise.
+test_that("every topic of a first course is taught where the table says", {
+  topics <- read.csv(
+    system.file("extdata", "first_course.csv", package = "rotdyn"), colClasses = "character"
+  )
+  expect_identical(names(topics), c("course", "section", "topic", "page", "place"))
+  expect_setequal(
+    topics$section[topics$course == "OpenStax"],
+    c(paste0("10.", 1:8), paste0("11.", 1:4), "12.1", "12.2", "15.4", "15.5", "15.6")
+  )
+  expect_setequal(topics$section[topics$course == "MIT 8.01"], paste("week", 10:12))
+  first_course <- c(lessons(), pages_with("Introduction"))
+  expect_identical(setdiff(paste0(topics$page, ".Rmd"), names(first_course)), character())
+  found <- mapply(function(page, place) {
+    lines <- first_course[[paste0(page, ".Rmd")]]
+    if (!grepl("^exercise ", place)) return(paste("##", place) %in% lines)
+    exercises <- lines[-seq_len(grep("^## Exercise", lines))]
+    any(startsWith(exercises, sub("^exercise ", "**", paste0(place, "."))))
+  }, topics$page, topics$place)
+  expect_identical(paste(topics$page, topics$place)[!found], character())
+})
+
+# What pages call stays what the package exports. (Every export is used: test-help.R.)
+test_that("functions that pages name in their text exist", {
+  known <- c(
+    getNamespaceExports("rotdyn"), ls(baseenv()), ls("package:stats"), ls("package:utils"),
+    "library", "mutate", "autoplot", "object_at", "input_at", "column_at" # dplyr, ggplot2, rotdyn.h
+  )
+  for (file in vignette_files()) {
+    lines <- readLines(file, encoding = "UTF-8")
+    text <- gsub("(?s)```.*?```", "", paste(lines, collapse = "\n"), perl = TRUE)
+    calls <- regmatches(text, gregexpr("`[a-z_0-9]+(?=\\()", text, perl = TRUE))[[1]]
+    made <- assigned_in(unlist(lapply(visible_chunks(lines), `[[`, "code")))
+    expect_identical(
+      setdiff(sub("`", "", calls), c(known, made)), character(), info = basename(file)
+    )
+  }
 })
 
 test_that("what the first lessons said wrongly", {
