@@ -65,6 +65,7 @@ constraint_list <- function() {
   for (constraint in listed) join_constraint(constraint)
   joined$listed <- vapply(listed, function(constraint) constraint$scene_class, "")
   set_default_verbs()
+  register_plots()
 }
 
 # Constraints of the C core (src/core/scene/choice.c) have their effects and their models' promises

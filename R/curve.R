@@ -901,7 +901,7 @@ new_curve_motion <- function(run, end, u, call) {
   run <- list(
     last = last, min_normal = limits$normal, needed = limits$needed,
     error = if (total > 0) sums$error / total + 1e-15 else NaN, shape = cbind(at$x, at$y),
-    finest = run$seen$finest, along = run$curve$kind
+    finest = run$seen$finest, along = run$curve$kind, direction = run$direction
   )
   new_table(columns, nrow = length(u), run = run, class = "rot_curve_motion")
 }

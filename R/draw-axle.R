@@ -8,10 +8,17 @@ draw_axle <- function(scene, ray = -0.6) {
   kinds <- vapply(terms, function(term) term$kind, "")
   if ("gravity" %in% kinds) return(draw_pendulum(scene))
   look <- axle_outline(scene)
+  spring <- Filter(function(term) term$kind == "spring", terms)
+  coiled <- length(spring) > 0L
   d <- new_drawing()
   for (one in look$marks) d$add(one)
   d$key(quantity("I", "moment of inertia", value_text(scene$moment_of_inertia_kg_m2, "kg m^2")))
   d$keys(size_quantities(scene$body))
+  # Spokes of a wheel, which show turns.
+  if (!coiled && (!is.null(look$radius) || is.na(look$unit))) {
+    long <- if (is.null(look$radius)) 1 else look$unit * look$radius
+    for (k in 1:5) d$add(spoke(0, 0, 0.92 * long, ray + k * pi / 3, "shaft"))
+  }
   if (!is.null(look$radius)) {
     tip <- look$unit * look$radius * c(cos(ray), sin(ray))
     d$add(mark("line", rbind(c(0, 0), tip), "body"))
@@ -19,9 +26,7 @@ draw_axle <- function(scene, ray = -0.6) {
   }
   d$add(mark("fill", draw_circle(0, 0, 0.06), "shaft"))
   rim <- look$reach
-  spring <- Filter(function(term) term$kind == "spring", terms)
   # The letters of the bearing and of the angle stand outside of a spring.
-  coiled <- length(spring) > 0L
   draw_start(d, scene, rim, if (coiled) 0.7 else 0.42)
   draw_torque(d, torque_without(torque, c("gravity", "spring")), rim + 0.16)
   for (term in spring) draw_torsion_spring(d, term)
@@ -30,10 +35,28 @@ draw_axle <- function(scene, ray = -0.6) {
   d$done(c(-1.5, 1.5, -1.5, 1.5), look$note)
 }
 
-# A pulley with one or two masses. Positive is where the first goes down: on the left. `down`: in
-# motion, how far it has.
-draw_hanging <- function(scene, down = NULL) {
+# A row of a scene at its start, or NULL where there is none (a rope that is slack, an R function
+# that fails): forces of drawings.
+start_row <- function(scene) {
+  tryCatch(
+    suppressMessages(suppressWarnings(trajectory(scene, scene$start_s))), error = function(e) NULL
+  )
+}
+
+# Tensions of a row: c(first, second).
+tensions_of <- function(rows, i = 1L) {
+  at <- function(name) if (is.null(rows[[name]])) NA_real_ else rows[[name]][i]
+  if (!is.null(rows[["tension_n"]])) c(at("tension_n"), NA) else
+    c(at("tension_1_n"), at("tension_2_n"))
+}
+
+# A pulley with one or two masses and all forces on each: weights, and the tensions of the ropes on
+# masses and pulley, in one scale. Positive is where the first goes down: on the left. In motion,
+# `down`: how far it has, and the tensions.
+draw_hanging <- function(scene, down = NULL, tension = tensions_of(start_row(scene))) {
   masses <- masses_of(scene)
+  weight <- masses * scene$gravity_m_per_s2
+  unit <- 0.42 / max(weight, tension, 1e-300, na.rm = TRUE)
   look <- axle_outline(scene, 0.6)
   drawn <- if (is.na(look$unit)) 0.6 else min(max(look$unit * scene$radius_m, 0.15), 0.9)
   d <- new_drawing()
@@ -47,15 +70,37 @@ draw_hanging <- function(scene, down = NULL) {
     x <- c(-1, 1)[i] * drawn
     y <- -1 + c(-1, 1)[i] * (down %||% 0)
     half <- max(side[i], 0.12) / 2
+    side_of <- c(-1, 1)[i]
     d$add(mark("line", rbind(c(x, 0), c(x, y)), "spring"))
     d$add(mark("fill", draw_box(x, y - half, 2 * half, 2 * half), "body"))
-    d$add(mark("arrow", rbind(c(x, y - half), c(x, y - 0.3 - half)), "weight"))
-    d$say(paste0("m[", i, "]"), x + c(-1, 1)[i] * (half + 0.18), y - half)
+    if (weight[i] > 0) {
+      tip <- y - half - unit * weight[i]
+      d$add(mark("arrow", rbind(c(x, y - half), c(x, tip)), "weight"))
+      d$say(paste0("W[", i, "]"), x - 0.17 * side_of, min(tip, y - 2 * half) - 0.1)
+    }
+    if (isTRUE(tension[i] * unit > 0.01)) {
+      for (from in c(y, 0)) {
+        to <- from + (if (from == 0) -1 else 1) * unit * tension[i]
+        d$add(mark("arrow", rbind(c(x, from), c(x, to)), "torque"))
+      }
+      d$say(paste0("T[", i, "]"), x + 0.17 * side_of, y + 0.7 * unit * tension[i])
+    }
+    d$say(paste0("m[", i, "]"), x + side_of * (half + 0.18), y - half)
     name <- if (!both) "hanging mass" else c("mass, down is positive", "other mass")[i]
     d$key(quantity(paste0("m[", i, "]"), name, value_text(masses[i], "kg")))
   }
+  for (i in seq_len(1L + both)) {
+    d$key(quantity(paste0("W[", i, "]"), "weight", value_text(weight[i], "N"), "weight"))
+    if (is.finite(tension[i])) {
+      d$key(quantity(
+        paste0("T[", i, "]"), "tension at start", value_text(tension[i], "N"), "torque"
+      ))
+    }
+  }
   d$key(quantity("r[1]", "radius of the rope", value_text(scene$radius_m, "m")))
   d$key(quantity("I", "inertia of all", value_text(scene$moment_of_inertia_kg_m2, "kg m^2")))
+  # The rope lies on the upper half of its wheel.
+  if (both) d$add(mark("line", draw_arc(0, 0, drawn, 0, 180), "spring"))
   at_rim <- isTRUE(all.equal(look$radius, scene$radius_m))
   if (inherits(scene$body, "rot_body")) d$keys(size_quantities(scene$body, if (at_rim) 0L else 1L))
   if (is.null(down)) {
@@ -64,7 +109,7 @@ draw_hanging <- function(scene, down = NULL) {
     d$add(spoke(0, 0, look$reach, scene$theta0_rad))
   }
   draw_resistance(d, axle_resistance(scene), look$reach)
-  out <- d$done(c(-1.5, 1.5, -1.75, 1.25), if (is.na(look$unit)) "not to scale" else
+  out <- d$done(c(-1.5, 1.5, -1.95, 1.05), if (is.na(look$unit)) "not to scale" else
     "the pulley to scale")
   out$title <- sentence(hanging_title(scene))
   out
@@ -291,7 +336,7 @@ draw_pendulum <- function(scene) {
     d$say("m*g*d", at[1] + 0.4, at[2] - 0.3)
     d$key(quantity("m*g*d", "weight times distance", value_text(term$x[1], "N m"), "weight"))
   } else {
-    d$say("m*g", at[1] + 0.3 * side, at[2] - 0.36)
+    d$say("m*g", at[1] - 0.18 * side, at[2] - 0.36)
     away <- 0.14 * side
     d$say("d", 0.5 * at[1] + away * cos(swing), 0.5 * at[2] + away * sin(swing))
     weight <- body$mass_kg * scene$gravity_m_per_s2
@@ -388,16 +433,11 @@ spoke <- function(x, y, radius, theta, style = "body") {
   mark("line", rbind(c(x, y), c(x, y) + radius * c(cos(theta), sin(theta))), style)
 }
 
-# Each wheel of a shaft has a spoke.
 train_frames <- function(scene, rows) {
   train <- train_of_scene(scene)
-  drawing <- draw_train(train)
-  still <- Filter(function(one) one$type != "arrow", drawing$marks)
   frames_of(rows, function(i, theta) {
-    spokes <- lapply(seq_len(nrow(train)), function(k) {
-      spoke(k - 1, 0, drawing$reach[k], theta / train$ratio_to_first[k])
-    })
-    list(marks = c(still, spokes), limits = drawing$limits)
+    scene$omega0_rad_per_s <- rows$omega_rad_per_s[i]
+    draw_train(train, scene, theta)
   })
 }
 
@@ -424,8 +464,8 @@ hanging_frames <- function(scene, rows) {
   down <- if (span > 0) 0.8 * (theta - mean(range(theta))) / span else 0 * theta
   frames_of(rows, function(i, theta) {
     scene$theta0_rad <- theta
-    out <- draw_hanging(scene, down[i])
-    out$limits[3] <- -2.1
+    out <- draw_hanging(scene, down[i], tensions_of(rows, i))
+    out$limits[3] <- -2.35
     out
   })
 }

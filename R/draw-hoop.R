@@ -54,7 +54,6 @@ hoop_frames <- function(scene, rows) {
         mark("line", seen(turned[i], around), "body"),
         mark("fill", draw_circle(bead[1], bead[2], 0.08), "body")
       ),
-      says = paste("theta", format(rows$theta_rad[i], digits = 3), "rad"),
       limits = c(-1.4, 1.4, -1.5, 1.5)
     )
   })

@@ -1,28 +1,80 @@
-# A body on its incline: the slope to its angle, the body and its arrows not to scale.
+# A body on its incline: the slope to its angle, the body as its beta says, and all forces on it, in
+# one scale: its weight at the centre, at the contact the normal force and the friction.
+
+# Forces of a row in N: c(weight, normal, friction, applied) along their own directions. The normal
+# force acts from below (from above on an incline of more than a right angle); friction and what the
+# scene applies are along the incline.
+incline_forces <- function(scene, rows, i = 1L) {
+  weight <- scene$mass_kg * scene$gravity_m_per_s2
+  friction <- rows[["friction_force_n"]][i]
+  c(
+    weight = weight, normal = weight * cospi(scene$incline_angle_deg / 180),
+    friction = if (length(friction)) friction else NA_real_,
+    applied = if (is.numeric(scene$force)) scene$force[1] else 0
+  )
+}
+
+# The body with its centre at `centre`, radius r in the drawing, turned by `angle` from the normal;
+# `unit`: length of a newton.
+incline_body <- function(d, scene, centre, r, angle, forces, unit) {
+  slope <- scene$incline_angle_deg * pi / 180
+  along <- c(cos(slope), -sin(slope))
+  out <- c(sin(slope), cos(slope))
+  beta <- scene$moment_of_inertia_kg_m2 / (scene$mass_kg * scene$radius_m^2)
+  d$add(mark("fill", draw_circle(centre[1], centre[2], r), "body"))
+  hole <- hole_of_beta(beta)
+  if (hole > 0) d$add(mark("fill", draw_circle(centre[1], centre[2], hole * r), "#FFFFFF"))
+  for (k in 1:4) d$add(spoke(centre[1], centre[2], r, pi / 2 - slope - angle + (k - 1) * pi / 2))
+  dot <- pi / 2 - slope - angle
+  at <- centre + 0.72 * r * c(cos(dot + 0.35), sin(dot + 0.35))
+  d$add(mark("fill", draw_circle(at[1], at[2], 0.09 * r), "#0072B2"))
+  contact <- centre - r * out
+  arrow <- function(from, direction, force, symbol, style, side) {
+    long <- unit * force
+    if (!isTRUE(abs(long) > 0.02)) return()
+    tip <- from + long * direction
+    d$add(mark("arrow", rbind(from, tip), style))
+    beside <- sign(side) * c(-direction[2], direction[1])
+    d$say(symbol, tip[1] + 0.15 * beside[1] + 0.05 * sign(long) * direction[1],
+          tip[2] + 0.15 * beside[2] + 0.05 * sign(long) * direction[2])
+  }
+  arrow(centre, c(0, -1), forces[["weight"]], "m*g", "weight", -1)
+  arrow(contact, out, forces[["normal"]], "N", "torque", 1)
+  arrow(contact, along, forces[["friction"]], "F[f]", "resistance", -1)
+  arrow(centre, along, forces[["applied"]], "F", "spring", 1)
+}
+
+incline_scale <- function(forces, long) {
+  largest <- max(abs(forces), na.rm = TRUE)
+  if (largest > 0) long / largest else 0
+}
+
 draw_incline <- function(scene) {
   d <- new_drawing()
   slope <- scene$incline_angle_deg * pi / 180
   along <- c(cos(slope), -sin(slope))
   out <- c(sin(slope), cos(slope))
-  r <- 0.32
-  centre <- -0.3 * along + r * out
+  r <- 0.36
+  centre <- -0.25 * along + r * out
   ends <- rbind(-1.25 * along, 1.25 * along)
   low <- min(ends[, 2]) - 0.08
   ground <- rbind(ends, c(ends[2, 1], low), c(ends[1, 1], low))
   d$add(mark("fill", ground, "fixed"))
-  d$add(mark("fill", draw_circle(centre[1], centre[2], r), "body"))
-  d$add(mark("line", rbind(centre, centre + r * out), "body"))
-  weight <- scene$mass_kg * scene$gravity_m_per_s2
+  forces <- incline_forces(scene, start_row(scene))
+  incline_body(d, scene, centre, r, 0, forces, incline_scale(forces, 0.85))
   d$keys(size_quantities(scene$body))
   d$key(quantity("alpha", "incline", value_text(scene$incline_angle_deg, "degrees")))
   corner <- if (slope >= 0) ends[2, ] else ends[1, ]
-  d$say("alpha", corner[1] - sign(slope + (slope == 0)) * 0.5, corner[2] + 0.06)
-  if (weight > 0) {
-    tip <- centre - c(0, 0.75)
-    d$add(mark("arrow", rbind(centre, tip), "weight"))
-    d$say("m*g", tip[1] - 0.24, tip[2] + 0.1)
-    d$key(quantity("m*g", "weight", value_text(weight, "N"), "weight"))
+  d$say("alpha", corner[1] - sign(slope + (slope == 0)) * 0.4, corner[2] + 0.06)
+  force <- function(name, symbol, words, style) {
+    if (isTRUE(forces[[name]] != 0)) {
+      d$key(quantity(symbol, words, value_text(abs(forces[[name]]), "N"), style))
+    }
   }
+  force("weight", "m*g", "weight", "weight")
+  force("normal", "N", "normal force", "torque")
+  force("friction", "F[f]", "friction at start", "resistance")
+  force("applied", "F", "force", "spring")
   if (scene$v0_m_per_s != 0) {
     from <- centre + (r + 0.12) * out
     tip <- from + 0.5 * sign(scene$v0_m_per_s) * along
@@ -33,7 +85,8 @@ draw_incline <- function(scene) {
   if (scene$omega0_rad_per_s != 0) {
     ends_deg <- 90 - sign(scene$omega0_rad_per_s) * c(-50, 50)
     d$add(mark("arrow", draw_arc(centre[1], centre[2], 0.6 * r, ends_deg[1], ends_deg[2]), "speed"))
-    d$say("omega[0]", centre[1] - 0.5, centre[2] + 0.3)
+    aside <- if (scene$v0_m_per_s < 0) 0.55 else -0.55
+    d$say("omega[0]", centre[1] + aside, centre[2] + 0.3)
   }
   d$key(start_rate(scene))
   d$key(quantity("mu[s]", "static friction", format_si(scene$static_friction), "resistance"))
@@ -43,7 +96,7 @@ draw_incline <- function(scene) {
       "b", "arm of rolling resistance", value_text(scene$rolling_arm_m, "m"), "resistance"
     ))
   }
-  d$done(c(-1.5, 1.5, -1.5, 1.5), "not to scale")
+  d$done(c(-1.5, 1.5, -1.5, 1.5), "Forces in one scale; the body not to scale.")
 }
 
 # In motion, to scale: a window over the whole path, or one that follows the body along it. Units
@@ -57,36 +110,37 @@ incline_frames <- function(scene, rows) {
   follows <- diff(range(x)) > 14 * r
   half <- if (follows) 6 * r else max(3 * r, 0.7 * diff(range(x)) + 1.5 * r)
   origin <- if (follows) x else rep(mean(range(x)), length(x))
-  share <- function(column) column / max(abs(column), .Machine$double.xmin)
-  speed <- share(rows$v_m_per_s)
-  friction <- share(rows$friction_force_n)
+  speed <- rows$v_m_per_s / max(abs(rows$v_m_per_s), .Machine$double.xmin)
   touches <- scene$gravity_m_per_s2 > 0
   size <- r / half
+  maximum <- vapply(seq_along(x), function(i) {
+    incline_scale(incline_forces(scene, rows, i), 0.5)
+  }, 0)
+  unit <- min(maximum[maximum > 0], Inf)
+  if (!is.finite(unit)) unit <- 0
   lapply(seq_along(x), function(i) {
+    d <- new_drawing()
     at <- function(s) (s - origin[i]) / half * along
     ends <- rbind(-2.2 * along, 2.2 * along)
+    d$add(mark("fill", rbind(ends, ends[2:1, ] - rep(2.5 * out, each = 2)), "fixed"))
     # Marks on the ground, a radius apart, each fifth one longer.
     first <- ceiling((origin[i] - 1.5 * half) / r)
-    numbers <- seq(first, floor((origin[i] + 1.5 * half) / r))
-    ticks <- lapply(numbers, function(k) {
+    for (k in seq(first, floor((origin[i] + 1.5 * half) / r))) {
       long <- if (k %% 5 == 0) 0.08 else 0.04
-      mark("line", rbind(at(k * r), at(k * r) - long * out), "body")
-    })
+      d$add(mark("line", rbind(at(k * r), at(k * r) - long * out), "shaft"))
+    }
     centre <- at(x[i]) + size * out
-    contact <- at(x[i])
-    says <- if (!touches) "" else if (rows$rolling[i]) "rolls" else "slips"
-    list(
-      marks = c(
-        list(mark("fill", rbind(ends, ends[2:1, ] - rep(2.5 * out, each = 2)), "fixed")),
-        ticks,
-        list(
-          mark("fill", draw_circle(centre[1], centre[2], size), "body"),
-          spoke(centre[1], centre[2], size, pi / 2 - slope - rows$theta_rad[i]),
-          mark("arrow", rbind(centre, centre + 0.3 * speed[i] * along), "speed"),
-          mark("arrow", rbind(contact, contact + 0.3 * friction[i] * along), "resistance")
-        )
-      ),
-      limits = c(-1, 1, -1, 1), says = says
+    incline_body(
+      d, scene, centre, size, rows$theta_rad[i], incline_forces(scene, rows, i), unit
     )
+    from <- centre + (size + 0.06) * out
+    d$add(mark("arrow", rbind(from, from + 0.3 * speed[i] * along), "speed"))
+    if (abs(speed[i]) > 0.1) {
+      tip <- from + 0.3 * speed[i] * along + 0.09 * out
+      d$say("v[0]", tip[1], tip[2])
+    }
+    frame <- d$done(c(-1, 1, -1, 1))
+    frame$says <- if (!touches) "" else if (rows$rolling[i]) "rolls" else "slips"
+    frame
   })
 }

@@ -34,12 +34,13 @@ draw_shafting <- function(scene, inertia, couplings, more = NULL, clutch_labels 
         mark("fill", draw_box(middle, y[i], 0.14, 2 * r[1]), "shaft"),
         mark("fill", draw_box(middle, y[i + 1L], 0.14, 2 * r[2]), "shaft")
       )
-    } else if (kind == "clutch") {
+    } else if (kind %in% c("clutch", "locked")) {
+      gap <- if (kind == "clutch") 0.09 else 0.05
       add(
-        mark("line", rbind(c(from, y[i]), c(middle - 0.13, y[i])), "body"),
-        mark("line", rbind(c(middle + 0.13, y[i]), c(to, y[i])), "body"),
-        mark("fill", draw_box(middle - 0.09, y[i], 0.1, 0.7), "shaft"),
-        mark("fill", draw_box(middle + 0.09, y[i], 0.1, 0.7), "shaft")
+        mark("line", rbind(c(from, y[i]), c(middle - gap, y[i])), "body"),
+        mark("line", rbind(c(middle + gap, y[i]), c(to, y[i])), "body"),
+        mark("fill", draw_box(middle - gap, y[i], 0.1, 0.7), "shaft"),
+        mark("fill", draw_box(middle + gap, y[i], 0.1, 0.7), "shaft")
       )
       if (!is.null(clutch_labels)) say(clutch_labels[i], middle, y[i] + 0.52)
     } else if (stiff[i] > 0) {

@@ -1,9 +1,10 @@
 #' Free-body drawing
 #'
 #' The body with all forces on it: loads, and the reactions of the supports. The lengths of the
-#' arrows grow with the forces; small ones are drawn longer, so that they are seen. Dashed arrows
-#' are the normals of surfaces and rollers. A body in space is drawn in oblique
-#' projection, with x to the right, z up and y into the page.
+#' arrows grow with the forces; small ones are drawn longer, so that they are seen. A load along a
+#' line is arrows along it, as high as it is there. Dashed arrows are the normals of surfaces and
+#' rollers. A body in space is drawn in oblique projection, with x to the right, z up and y into the
+#' page; on supports below its loads it has a plate and legs, unless it has an outline.
 #'
 #' @param object From [static_equilibrium()].
 #' @inheritParams autoplot.rot_trajectory
@@ -70,7 +71,11 @@ draw_statics <- function(rest) {
     cbind(2 * (p[, 1] - low[1]) / extent, 2 * (p[, 2] - low[2]) / extent)
   }
   d <- new_drawing()
-  for (one in outline_of(place, used, outline)) d$add(one)
+  stool <- if (is.null(outline) && !plane) stool_of(s$supports, at, couples, place)
+  for (one in stool %||% outline_of(place, used, outline)) d$add(one)
+  lines <- if (plane) line_loads(s$loads, system)
+  for (line in lines) draw_line_load(d, line, size, place, lines, s$loads$load[line$rows[1]])
+  on_line <- unlist(lapply(lines, `[[`, "rows"))
   for (one in supports) for (mark in support_marks(one, place, plane)) d$add(mark)
   columns <- function(names) vapply(names, function(name) rows[[name]], numeric(nrow(at) - ncol(
     system$at)))
@@ -93,11 +98,19 @@ draw_statics <- function(rest) {
   normal <- matrix(normals_of(s$supports), 3L)
   middle <- colMeans(place(at))
   centre <- colMeans(used[stats::complete.cases(used), , drop = FALSE])
+  met <- character()
   for (i in seq_len(nrow(at))) {
+    if (i %in% on_line) next
     if (sizes[i] > slack[i]) {
       symbol <- paste0(letter[i], "[", number[i], "]")
-      draw_force(d, place(at[i, , drop = FALSE]), forces[i, ], sizes[i] / largest, symbol, style[i],
-                 plane, style[i] == "torque" && pushes(rest, i - n, forces[i, ], at[i, ], centre))
+      # Forces along one line stand beside each other.
+      where <- paste(signif(c(at[i, ], forces[i, ] / sizes[i]), 6), collapse = " ")
+      twin <- sum(met == where)
+      met <- c(met, where)
+      p <- place(at[i, , drop = FALSE])
+      p[1] <- p[1] + 0.07 * twin
+      draw_force(d, p, forces[i, ], sizes[i] / largest, symbol, style[i], plane,
+                 style[i] == "torque" && pushes(rest, i - n, forces[i, ], at[i, ], centre))
       d$key(quantity(symbol, names[i], force_text(forces[i, ], sizes[i], plane), style[i]))
     }
     if (i > n && !is.na(normal[1, i - n])) {
@@ -128,6 +141,55 @@ draw_statics <- function(rest) {
   )
   d$done(c(box[1, 1] - 0.25, box[2, 1] + 0.25, box[1, 2] - 0.18, box[2, 2] + 0.2),
          paste(note, collapse = " "))
+}
+
+# The loads along lines whose rows are as load_line() made them.
+line_loads <- function(loads, system) {
+  Filter(function(line) {
+    whole <- mean(line$down_n_per_m) * sqrt(sum((line$to_m - line$from_m)^2))
+    all(line$rows <= ncol(system$force)) && length(line$from_m) == 2L &&
+      isTRUE(all.equal(sum(system$force[2, line$rows]), -whole))
+  }, attr(loads, "lines", exact = TRUE))
+}
+
+# Arrows down on the line, as long as the load is at each place, relative to the largest one.
+draw_line_load <- function(d, line, size, place, lines, name) {
+  maximum <- max(abs(unlist(lapply(lines, `[[`, "down_n_per_m"))), 1e-300)
+  ends <- place(cbind(rbind(line$from_m, line$to_m) / size, 0))
+  high <- 0.42 * line$down_n_per_m / maximum
+  top <- ends + cbind(0, high)
+  d$add(mark("line", rbind(ends[1, ], top, ends[2, ]), "weight"))
+  n <- max(3L, min(12L, ceiling(sqrt(sum((ends[2, ] - ends[1, ])^2)) / 0.16)))
+  for (s in seq(0, 1, length.out = n)) {
+    from <- top[1, ] + s * (top[2, ] - top[1, ])
+    to <- ends[1, ] + s * (ends[2, ] - ends[1, ])
+    if (abs(from[2] - to[2]) > 0.05) d$add(mark("arrow", rbind(from, to), "weight"))
+  }
+  symbol <- paste0("w[", line$rows[1], "]")
+  middle <- colMeans(top)
+  d$say(symbol, middle[1], middle[2] + 0.14)
+  whole <- mean(line$down_n_per_m) * sqrt(sum((line$to_m - line$from_m)^2))
+  text <- paste0(
+    value_text(line$down_n_per_m, "N/m"), ", together ", value_text(abs(whole), "N"),
+    if (whole < 0) " up" else " down"
+  )
+  d$key(quantity(symbol, name, text, "weight"))
+}
+
+# A body on three supports or more, all lower than its loads: a plate at the lowest load, on legs.
+stool_of <- function(supports, at, couples, place) {
+  n <- length(couples)
+  feet <- at[n + seq_along(supports), , drop = FALSE]
+  loads <- at[seq_len(n)[!couples], , drop = FALSE]
+  stands <- vapply(supports, function(one) one$kind %in% c("surface", "roller", "pin"), NA)
+  if (length(supports) < 3L || !all(stands) || !nrow(loads)) return(NULL)
+  top <- min(loads[, 3])
+  if (!(top - max(feet[, 3]) > 1e-6)) return(NULL)
+  raised <- cbind(feet[, 1:2, drop = FALSE], top)
+  around <- rbind(raised, cbind(loads[, 1:2, drop = FALSE], top))
+  plate <- around[grDevices::chull(around[, 1], around[, 2]), , drop = FALSE]
+  legs <- lapply(order(-feet[, 2]), function(i) thick_line(place(rbind(feet[i, ], raised[i, ]))))
+  c(unlist(legs, recursive = FALSE), list(mark("fill", place(plate), "body")))
 }
 
 # Does the arrow of a support end at its point? It lies outside of the body: a pin may also pull.

@@ -18,13 +18,28 @@ quantity <- function(symbol, name, value, style = "body") {
 
 label_at <- function(symbol, x, y) data.frame(symbol = symbol, x = x, y = y)
 
+# A word that stands in a drawing; `hjust` as in text: 0 begins at the point, 1 ends there.
+word_at <- function(word, x, y, hjust = 0.5, style = "body") {
+  data.frame(symbol = encodeString(word, quote = "\""), x = x, y = y, style = style, hjust = hjust)
+}
+
 # Of the palette in R/plot.R.
 draw_colours <- c(
-  body = "grey20", speed = "#0072B2", torque = "#D55E00", weight = "#009E73",
-  resistance = "#AA4499", spring = "#B8860B"
+  body = "#333333", speed = "#0072B2", torque = "#D55E00", weight = "#009E73",
+  resistance = "#AA4499", spring = "#B8860B", shaft = "#777777"
 )
 
-draw_fills <- c(body = "grey88", hole = "white", shaft = "grey60", fixed = "grey75")
+draw_fills <- c(body = "#E0E0E0", hole = "#FFFFFF", shaft = "#999999", fixed = "#BFBFBF")
+
+# A style is a name of those above, or a colour.
+fill_of <- function(style) if (startsWith(style, "#")) style else draw_fills[[style]]
+
+# Sides of solids have an edge where they say so, other fills always.
+edge_of <- function(one) {
+  if (is.null(one$edge) || one$edge) plot_edge else fill_of(one$style)
+}
+
+plot_edge <- "#404040"
 
 #' Draw a scene
 #'
@@ -81,6 +96,13 @@ draw <- function(drawing, title, base_size) {
   plot <- ggplot2::ggplot(mapping = ggplot2::aes(.data$x, .data$y))
   for (one in drawing$marks) plot <- plot + draw_mark(one, base_size)
   labels <- drawing$labels
+  words <- labels[startsWith(labels$symbol, "\""), ]
+  for (k in seq_len(nrow(words))) {
+    plot <- plot + ggplot2::annotate(
+      "text", x = words$x[k], y = words$y[k], label = words$symbol[k], parse = TRUE,
+      hjust = words$hjust[k], colour = draw_colours[[words$style[k]]], size = text_size(base_size)
+    )
+  }
   labels$id <- factor(key$id[match(labels$symbol, key$symbol)], key$id)
   # "tau[2]" belongs to the quantity "tau[i]".
   any_of <- sub("\\[.*", "[i]", labels$symbol)
@@ -148,13 +170,13 @@ draw_mark <- function(one, base_size) {
   thick <- 0.045 * base_size
   if (one$type == "fill") {
     return(ggplot2::geom_polygon(
-      data = data, fill = draw_fills[[one$style]], colour = "grey25", linewidth = thick,
+      data = data, fill = fill_of(one$style), colour = edge_of(one), linewidth = thick,
       linetype = if (one$style == "hole") "22" else "solid"
     ))
   }
   dashed <- one$style == "dashed"
   ggplot2::geom_path(
-    data = data, colour = if (dashed) "grey50" else draw_colours[[one$style]],
+    data = data, na.rm = TRUE, colour = if (dashed) "grey50" else draw_colours[[one$style]],
     linetype = if (dashed) "22" else "solid",
     linewidth = if (one$type == "arrow") 2 * thick else 1.3 * thick,
     arrow = if (one$type == "arrow") {
@@ -182,6 +204,33 @@ draw_arc <- function(x, y, radius, from, to) {
 turn_arrow <- function(x, y, radius, from, by, sign, style) {
   ends <- if (sign < 0) c(from + by, from) else c(from, from + by)
   mark("arrow", draw_arc(x, y, radius, ends[1], ends[2]), style)
+}
+
+# A wheel that has turned by `angle`: a rim with spokes and a dot beside the first of them, so that
+# turns show. `hollow`: the radius of its hole in parts of its own.
+wheel_marks <- function(x, y, radius, angle, hollow = 0, spokes = 5L) {
+  from <- radius * max(0.12, 0)
+  to <- radius * if (hollow > 0) hollow else 0.86
+  rays <- lapply(angle + 2 * pi * (seq_len(spokes) - 1) / spokes, function(one) {
+    direction <- c(cos(one), sin(one))
+    mark("line", rbind(c(x, y) + from * direction, c(x, y) + to * direction), "body")
+  })
+  dot <- c(x, y) + radius * (0.93 * to / radius - 0.16) *
+    c(cos(angle + pi / spokes / 2), sin(angle + pi / spokes / 2))
+  c(
+    list(mark("fill", draw_circle(x, y, radius), "body")),
+    if (hollow > 0) list(mark("fill", draw_circle(x, y, radius * hollow), "#FFFFFF")),
+    rays,
+    list(
+      mark("fill", draw_circle(x, y, from), "shaft"),
+      mark("fill", draw_circle(dot[1], dot[2], 0.09 * radius), "#0072B2")
+    )
+  )
+}
+
+# The hole of a ring with that beta = (1 + hole^2)/2; 0 for what has more mass inside.
+hole_of_beta <- function(beta) {
+  if (!isTRUE(beta > 0.55)) 0 else min(sqrt(2 * min(beta, 1) - 1), 0.88)
 }
 
 # A zigzag along x.

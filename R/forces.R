@@ -165,7 +165,12 @@ load_line <- function(down_n_per_m, from_m, to_m, ..., name = "line load") {
   some <- ends != 0 | length(ends) == 1L
   at <- at[some, , drop = FALSE]
   couple <- matrix(0, nrow(at), length(moment_of(from_m)))
-  new_forces(rep(name, nrow(at)), at, force[some, , drop = FALSE], couple)
+  out <- new_forces(rep(name, nrow(at)), at, force[some, , drop = FALSE], couple)
+  # For drawings: where the load lies.
+  attr(out, "lines") <- list(list(
+    rows = seq_len(nrow(at)), from_m = from_m, to_m = to_m, down_n_per_m = rep_len(ends, 2L)
+  ))
+  out
 }
 
 #' @rdname forces
@@ -299,7 +304,9 @@ read_forces <- function(x, call) {
   if (!is.character(name) || length(name) != nrow(x) || anyNA(name)) {
     abort_rotdyn("The column {.field load} must be names.", "type", call)
   }
-  new_table(c(list(load = name), columns), nrow = nrow(x))
+  out <- new_table(c(list(load = name), columns), nrow = nrow(x))
+  attr(out, "lines") <- attr(x, "lines", exact = TRUE)
+  out
 }
 
 bind_forces <- function(parts, call) {
@@ -317,7 +324,15 @@ bind_forces <- function(parts, call) {
     unlist(lapply(parts, function(part) part[[name]]), use.names = FALSE)
   })
   names(columns) <- names
-  new_table(columns, nrow = length(columns[[1]]))
+  out <- new_table(columns, nrow = length(columns[[1]]))
+  before <- cumsum(c(0L, vapply(parts, nrow, 0L)))
+  attr(out, "lines") <- unlist(lapply(seq_along(parts), function(k) {
+    lapply(attr(parts[[k]], "lines", exact = TRUE), function(line) {
+      line$rows <- line$rows + before[k]
+      line
+    })
+  }), recursive = FALSE)
+  out
 }
 
 # What forces() takes, as one table.

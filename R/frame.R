@@ -123,7 +123,7 @@ foucault_pendulum <- function(time_s, latitude_deg, length_m, east_m = 0, north_
       swing_period_s = 2 * pi / sqrt(pull + rate^2), plane_turn_s = 2 * pi / abs(rate),
       ellipse_rate_rad_per_s = 3 / 8 * area / columns$length_m^2
     ), rep_len, n)
-  ), nrow = n)
+  ), nrow = n, class = "rot_foucault")
 }
 
 frame_units <- c(

@@ -23,7 +23,9 @@ autoplot.rot_audit <- function(object, ..., base_size = 13) {
     if (is.null(object[[column]])) abort_missing_column(column, object, call)
   }
   drawn <- do.call(rbind, lapply(seq_len(nrow(object)), function(i) {
-    balance_bars(object$terms[[i]], object$unit[i], audit_label(object, i))
+    balance_bars(
+      object$terms[[i]], object$unit[i], audit_label(object, i), object$rounding[i]
+    )
   }))
   if (is.null(drawn)) {
     abort_rotdyn("There is no balance to draw: no rows, or no values.", "value", call)
@@ -90,9 +92,12 @@ audit_label <- function(object, i) {
 }
 
 # From and to of each bar; NULL where the balance could not be drawn up.
-balance_bars <- function(terms, unit, panel) {
+balance_bars <- function(terms, unit, panel, rounding = 0) {
   if (anyNA(terms$value) || !nrow(terms)) return(NULL)
-  kept <- terms[terms$value != 0, ]
+  # Nothing but rounding: all is 0.
+  if (isTRUE(max(abs(terms$value)) <= rounding)) terms$value <- 0 * terms$value
+  # What is rounding of the largest term is no bar.
+  kept <- terms[abs(terms$value) > 1e-13 * max(abs(terms$value)), ]
   if (!nrow(kept)) kept <- terms[1, ]
   step <- ifelse(kept$role == "dissipated", -kept$value, kept$value)
   change <- kept$role == "change"

@@ -1,6 +1,7 @@
 #' Plot a motion along a curve
 #'
-#' The path of the centre, to scale, with its places at equal intervals of time and how it ends.
+#' The track and the path of the centre, to scale, with the body's places at equal intervals of time
+#' and how it ends. A body whose radius is known is drawn with it, on its track.
 #'
 #' @param object From [roll_on_curve()].
 #' @inheritParams autoplot.rot_trajectory
@@ -29,8 +30,25 @@ autoplot.rot_curve_motion <- function(object, ..., base_size = 13) {
   end <- data.frame(x = last$x_m, y = last$y_m)
   words <- c(arrives = "arrives", turns = "turns", leaves = "leaves the track", slips = "slips")
   said <- paste0(words[[last$event]], " after ", format_si(signif(last$time_s, 4)), " s")
+  size <- max(diff(range(path$x)), diff(range(path$y)))
+  radius <- stats::median((object$v_m_per_s / object[["omega_rad_per_s"]]), na.rm = TRUE)
+  known <- isTRUE(radius > 0.005 * size && radius < 0.25 * size)
+  track <- track_of(path$x, path$y, if (known) radius else 0, run$direction %||% 1)
+  balls <- if (known) {
+    do.call(rbind, lapply(seq_len(nrow(places)), function(k) {
+      rim <- draw_circle(places$x[k], places$y[k], radius)
+      data.frame(x = rim[, 1], y = rim[, 2], id = k)
+    }))
+  }
   ggplot2::ggplot(path, ggplot2::aes(.data$x, .data$y)) +
-    ggplot2::geom_path(colour = "grey60", linewidth = 0.045 * base_size) +
+    ggplot2::geom_path(data = track, colour = "grey40", linewidth = 0.11 * base_size) +
+    (if (known) {
+      ggplot2::geom_polygon(
+        ggplot2::aes(group = .data$id), balls, fill = draw_fills[["body"]], colour = plot_edge,
+        linewidth = 0.3
+      )
+    }) +
+    ggplot2::geom_path(colour = "grey60", linewidth = 0.03 * base_size, linetype = "22") +
     ggplot2::geom_point(ggplot2::aes(colour = .data$v), places, size = 0.2 * base_size) +
     ggplot2::geom_point(data = end, shape = 4, size = 0.3 * base_size, stroke = 1.2) +
     ggplot2::scale_colour_gradient(
@@ -39,7 +57,9 @@ autoplot.rot_curve_motion <- function(object, ..., base_size = 13) {
     ggplot2::coord_fixed() +
     ggplot2::labs(
       title = wrap_title(sentence(paste("the body", said)), base_size),
-      subtitle = wrap_subtitle(paste("a point every", step, "s; the cross: the end"), base_size),
+      subtitle = wrap_subtitle(
+        paste("a point every", step, "s; the cross: the end; dashed: the centre's path"), base_size
+      ),
       x = "x (m)", y = "y (m)",
       alt = paste0("A path from (", format_si(signif(path$x[1], 3)), ", ",
                    format_si(signif(path$y[1], 3)), ") m to (", format_si(signif(last$x_m, 3)),
@@ -47,4 +67,15 @@ autoplot.rot_curve_motion <- function(object, ..., base_size = 13) {
     ) +
     plot_theme(base_size) +
     ggplot2::theme(legend.key.width = ggplot2::unit(2.2 * base_size, "pt"))
+}
+
+# What the body rolls on: to the right of the path as its parameter grows, by the body's radius.
+track_of <- function(x, y, radius, direction) {
+  n <- length(x)
+  after <- c(seq_len(n)[-1], n)
+  before <- c(1L, seq_len(n)[-n])
+  dx <- x[after] - x[before]
+  dy <- y[after] - y[before]
+  long <- pmax(sqrt(dx^2 + dy^2), .Machine$double.xmin)
+  data.frame(x = x + direction * radius * dy / long, y = y - direction * radius * dx / long)
 }

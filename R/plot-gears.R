@@ -1,9 +1,10 @@
 #' Draw a gear train
 #'
 #' The wheels of each stage with the ratio of their radii, all stages with one distance of shafts:
-#' wheels that mesh where neighbours turn opposite ways, pulleys with a belt where they turn alike.
-#' Arrows of rotation are for a first shaft that turns in the positive sense. A [scene_gears()] is
-#' drawn likewise.
+#' toothed wheels that mesh where neighbours turn opposite ways, pulleys with a belt where they turn
+#' alike. Speeds are fractions of the first shaft's, negative where it turns the other way. Arrows
+#' of rotation are for a first shaft that turns in the positive sense. A [scene_gears()] is drawn
+#' likewise.
 #'
 #' @param object From [gear_train()].
 #' @inheritParams autoplot.rot_trajectory
@@ -25,8 +26,36 @@ autoplot.rot_gear_train <- function(object, ..., base_size = 13) {
   draw(draw_train(object), paste("A gear train of", nrow(object), "shafts"), base_size)
 }
 
-# `scene`: that of the train, for the start of its first shaft.
-draw_train <- function(train, scene = NULL) {
+# The teeth of two wheels with radii that add up to 1: numbers in the ratio of the radii, as nearly
+# as 9 to 16 teeth of the smaller one allow.
+mesh_teeth <- function(ratio) {
+  few <- 9:16
+  large <- few * max(ratio, 1 / ratio)
+  best <- which.min(round(abs(large - round(large)), 9))
+  z <- pmin(c(few[best], round(large[best])), 240)
+  if (ratio >= 1) z else rev(z)
+}
+
+# The outline of a wheel with z teeth about its pitch circle; one of them is at `angle`.
+gear_outline <- function(x, y, radius, z, angle) {
+  pitch <- 2 * pi / z
+  deep <- 0.22 * pitch * radius
+  each <- c(-0.25, -0.11, 0.11, 0.25) * pitch
+  at <- angle + rep(pitch * (seq_len(z) - 1), each = 4L) + each
+  r <- radius + deep * c(-1.1, 1, 1, -1.1)
+  cbind(x + r * cos(at), y + r * sin(at))
+}
+
+# "1", "1/5", "-1/15": 1 over a ratio.
+fraction_text <- function(ratio) {
+  if (abs(ratio) == 1 || abs(ratio - round(ratio)) > 1e-9 * abs(ratio)) {
+    return(format_si(signif(1 / ratio, 3)))
+  }
+  paste0(if (ratio < 0) "-", "1/", format_si(abs(round(ratio))))
+}
+
+# `scene`: that of the train, for the start of its first shaft. `theta`: in motion, its angle.
+draw_train <- function(train, scene = NULL, theta = NULL) {
   n <- nrow(train)
   total <- train$ratio_to_first
   ratio <- total[-1] / total[-n]
@@ -39,7 +68,17 @@ draw_train <- function(train, scene = NULL) {
     # Pulleys stand apart.
     radius <- c(1, abs(ratio[i])) / (1 + abs(ratio[i])) * if (meshes) 1 else 0.8
     wheels <- order(-radius)
-    for (k in wheels) d$add(mark("fill", draw_circle(i - 2 + k, 0, radius[k]), "body"))
+    teeth <- if (meshes) mesh_teeth(abs(ratio[i]))
+    for (k in wheels) {
+      x <- i - 2 + k
+      # A tooth of the first meets a gap of the second.
+      angle <- (theta %||% 0) / total[i + k - 1L] + if (k == 2L) pi + pi / teeth[2] else 0
+      d$add(mark("fill", if (meshes) {
+        gear_outline(x, 0, radius[k], teeth[k], angle)
+      } else {
+        draw_circle(x, 0, radius[k])
+      }, "body"))
+    }
     if (!meshes) {
       # Both straight parts of the belt touch both pulleys.
       lean <- asin(max(min(radius[1] - radius[2], 1), -1))
@@ -56,19 +95,31 @@ draw_train <- function(train, scene = NULL) {
     reach <- 0.6
     d$add(mark("fill", draw_circle(0, 0, 0.6), "body"))
   }
+  if (!is.null(theta)) {
+    for (i in seq_len(n)) d$add(spoke(i - 1, 0, 0.85 * reach[i], theta / total[i]))
+  }
   turns <- sign(total) * if (is.null(scene) || scene$omega0_rad_per_s >= 0) 1 else -1
   for (i in seq_len(n)) {
     x <- i - 1
     d$add(mark("fill", draw_circle(x, 0, 0.05), "shaft"))
     d$add(turn_arrow(x, 0, max(min(0.62 * reach[i], 0.4), 0.24), 30, 100, turns[i], "speed"))
-    if (few) d$say(paste0("I[", i, "]"), x, -max(reach) - 0.2)
+    if (few) {
+      d$say(paste0("I[", i, "]"), x, -max(reach) - 0.2)
+      if (n > 1L) {
+        d$say(paste0("omega[", i, "]"), x, -max(0.5 * min(reach[i], 0.7), 0.2))
+      }
+    }
     if (isTRUE(torque[i] != 0)) {
       d$add(turn_arrow(x, 0, max(reach) + 0.12, 65, 50, torque[i], "torque"))
       if (few) d$say(paste0("tau[", i, "]"), x, max(reach) + 0.34)
     }
   }
   d$key(quantity("I[i]", "moment of inertia", value_text(train$moment_of_inertia_kg_m2, "kg m^2")))
-  if (n > 1L) d$key(quantity("omega[i]", "ratio to the first", value_text(total, ""), "speed"))
+  if (n > 1L) {
+    speeds <- paste(vapply(utils::head(total, 8L), fraction_text, ""), collapse = ", ")
+    if (n > 8L) speeds <- paste0(speeds, ", ...")
+    d$key(quantity("omega[i]", "speed over first speed", speeds, "speed"))
+  }
   efficiency <- attr(train, "efficiency")
   if (any(efficiency < 1)) {
     d$key(quantity("", "efficiency of a mesh", value_text(efficiency, ""), "resistance"))

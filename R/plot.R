@@ -151,3 +151,20 @@ range_in_words <- function(x, digits = 3) {
   ends <- format_si(signif(range(x), digits))
   if (ends[1] == ends[2]) ends[1] else paste(ends[1], "to", ends[2])
 }
+
+# ---- plot() -------------------------------------------------------------------------------------
+
+# plot() of a class that has autoplot() draws that picture, instead of pairs of columns.
+plot_by_autoplot <- function(x, ...) {
+  need_package("ggplot2", "A plot", rlang::current_env())
+  picture <- ggplot2::autoplot(x, ...)
+  print(picture)
+  invisible(picture)
+}
+
+register_plots <- function() {
+  names <- grep("^autoplot[.]rot_", ls(topenv(), all.names = TRUE), value = TRUE)
+  for (class in sub("^autoplot[.]", "", names)) {
+    registerS3method("plot", class, plot_by_autoplot, envir = baseenv())
+  }
+}

@@ -95,7 +95,7 @@ roll_disk <- function(body, time_s, spin_rad_per_s = 0, ..., lean_deg = 0, yaw_r
     warn_rotdyn("The disk lies flat at {format_si(flat_s)} s.", "truncated", call)
   }
   structure(
-    new_table(columns, nrow = length(time_s)),
+    new_table(columns, nrow = length(time_s), class = "rot_rolled_disk"),
     error = c(
       attitude_rad = result$ledger[1], omega = result$ledger[2], position_m = result$ledger[3]
     )
@@ -200,5 +200,5 @@ ball_on_turntable <- function(body, time_s, turntable_rad_per_s, x_m, y_m = 0, v
     circle_radius_m = ifelse(k == 0, Inf, speed / abs(k)),
     circle_period_s = 2 * pi / abs(k), kinetic_energy_j = now, work_j = work,
     energy_residual_j = now - energy(x$x_m, x$y_m, x$vx_m_per_s, x$vy_m_per_s) - work
-  ), nrow = n)
+  ), nrow = n, class = "rot_turntable")
 }

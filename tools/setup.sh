@@ -126,7 +126,7 @@ apt_install() {
 
 ask_r() { Rscript tools/setup.R "$@" < /dev/null; }
 
-# Some CRAN packages need a system library to build: units, png, rgl, xml2 (roxygen2 depends on it)
+# Some CRAN packages need a system library to build: av, units, png, rgl, xml2 (for roxygen2)
 # and fs, on which the others named here depend. Without that library fs builds its own copy, if
 # cmake is installed.
 from_cran() {
@@ -134,6 +134,7 @@ from_cran() {
   have g++ && have gfortran || extra="r-base-dev"
   for name in "$@"; do
     case $name in
+      av) extra="$extra libavfilter-dev" ;;
       units) extra="$extra libudunits2-dev" ;;
       png) extra="$extra libpng-dev" ;;
       rgl) extra="$extra libfreetype6-dev libgl1-mesa-dev libglu1-mesa-dev libpng-dev" ;;

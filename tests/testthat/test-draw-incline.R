@@ -23,12 +23,34 @@ test_that("marks on the ground hang below it, each fifth one longer", {
   scene <- scene_incline(body_sphere(6, 0.11), 30, static_friction = 0.9)
   motion <- trajectory(scene, c(0, 0.5, 1))
   frame <- incline_frames(scene, motion)[[2]]
-  lines <- Filter(function(one) one$type == "line" && one$style == "body", frame$marks)
+  lines <- Filter(function(one) one$type == "line" && one$style == "shaft", frame$marks)
   out <- c(0.5, sqrt(3) / 2)
-  depth <- vapply(utils::head(lines, -1), function(one) {
+  depth <- vapply(lines, function(one) {
     drop((one$points[2, ] - one$points[1, ]) %*% out)
   }, 0)
   expect_gt(length(depth), 5)
   expect_true(all(depth < 0))
   expect_equal(sort(unique(round(-depth, 9))), c(0.04, 0.08))
+})
+
+test_that("the forces are drawn where they act, in one scale, with their values", {
+  scene <- scene_incline(body_sphere(2, 0.1), 30, static_friction = 0.9)
+  drawing <- draw_incline(scene)
+  arrow <- function(style) {
+    Filter(function(one) one$type == "arrow" && one$style == style, drawing$marks)[[1]]$points
+  }
+  long <- function(p) sqrt(sum((p[2, ] - p[1, ])^2))
+  weight <- 2 * 9.80665
+  # A ball that rolls: friction is 2/7 of the force along the slope, uphill.
+  friction <- 2 / 7 * weight / 2
+  value <- function(symbol) drawing$quantities$value[drawing$quantities$symbol == symbol]
+  expect_equal(value("N"), value_text(weight * sqrt(3) / 2, "N"))
+  expect_equal(value("F[f]"), value_text(friction, "N"))
+  expect_equal(long(arrow("torque")) / long(arrow("weight")), sqrt(3) / 2)
+  expect_equal(long(arrow("resistance")) / long(arrow("weight")), friction / weight)
+  expect_equal(diff(arrow("resistance")) / long(arrow("resistance")), cbind(-sqrt(3) / 2, 0.5))
+  # Both begin at the contact, the weight in the middle of the body.
+  expect_equal(arrow("torque")[1, ], arrow("resistance")[1, ])
+  circle <- drawing$marks[[2]]$points
+  expect_equal(arrow("weight")[1, ], colMeans(circle[-1, ]), tolerance = 1e-6)
 })

@@ -116,3 +116,51 @@ test_that("the arrow of a pin ends at its point where it pushes, and leaves it w
   surface <- support_surface(c(1, 0))
   expect_true(rotdyn:::pushes(rest(surface), 1, c(1, 0, 0), c(1, 0, 0), c(0, 0, 0)))
 })
+
+drawn_rest <- function(x) draw_statics(check_equilibrium(x, "x", NULL))
+
+test_that("a load along a line is arrows along it, with its sum", {
+  beam <- static_equilibrium(
+    forces(load_line(c(0, 300), from_m = c(0, 0), to_m = c(3, 0), name = "sand"),
+           load_weight(20, c(2, 0), name = "beam")),
+    list(left = support_pin(c(0, 0)), right = support_roller(c(3, 0)))
+  )
+  drawing <- drawn_rest(beam)
+  key <- drawing$quantities
+  expect_identical(key$value[key$symbol == "w[1]"], "0, 300 N/m, together 450 N down")
+  expect_identical(key$name[key$symbol == "w[1]"], "sand")
+  expect_false("F[1]" %in% key$symbol)
+  down <- Filter(function(one) one$type == "arrow" && one$style == "weight", drawing$marks)
+  long <- vapply(down, function(one) one$points[1, 2] - one$points[2, 2], 0)
+  n <- length(long) - 1L # and the weight of the beam
+  expect_equal(diff(long[seq_len(n)]), rep(diff(long[1:2]), n - 1L))
+  # A table whose rows were changed is drawn by its resultants.
+  loads <- load_line(150, from_m = c(1, 0), to_m = c(3, 0))
+  loads$fy_n <- 2 * loads$fy_n
+  rest <- static_equilibrium(loads, list(support_pin(c(0, 0)), support_roller(c(4, 0))))
+  expect_true("F[1]" %in% drawn_rest(rest)$quantities$symbol)
+})
+
+test_that("a body on legs is a table", {
+  legs <- list(a = c(0, 0, 0), b = c(1.2, 0, 0), c = c(1.2, 0.8, 0), d = c(0, 0.8, 0))
+  stand <- function(z) {
+    static_equilibrium(
+      load_weight(20, c(0.5, 0.3, z)), lapply(legs, function(p) support_surface(p, friction = 0.4))
+    )
+  }
+  bodies <- function(rest) {
+    Filter(function(one) one$type == "fill" && one$style == "body", drawn_rest(rest)$marks)
+  }
+  expect_length(bodies(stand(0.7)), 5)
+  expect_length(bodies(stand(0)), 1)
+})
+
+test_that("loads at one point stand beside each other", {
+  rest <- static_equilibrium(
+    forces(load_weight(20, c(2, 0)), load_weight(10, c(2, 0))),
+    list(support_pin(c(0, 0)), support_roller(c(4, 0)))
+  )
+  down <- Filter(function(one) one$type == "arrow" && one$style == "weight",
+                 drawn_rest(rest)$marks)
+  expect_equal(down[[2]]$points[1, 1] - down[[1]]$points[1, 1], 0.07)
+})

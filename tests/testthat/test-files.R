@@ -59,7 +59,7 @@ test_that("pictures that do not fit are an error", {
     grDevices::png(file.path(frames, "%d.png"), 200, 200)
     plot(1:10)
     grDevices::dev.off()
-    full(gif_bytes(frames, 200, 0.1, NULL))
+    full(encoded_bytes(frames, "gif", 200, 0.1, NULL))
   })
 })
 

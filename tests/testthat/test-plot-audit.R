@@ -54,3 +54,16 @@ test_that("labels of many rows are made smaller until all fit the height of the 
     expect_true(got[["left"]] >= 0 || got[["small"]] <= 6)
   }
 })
+
+test_that("what is rounding is no bar", {
+  # A free body: all changes are rounding.
+  drawn <- bars(audit(trajectory(scene_free(c(1, 2, 3), c(0.01, 4, 0.01)), 0:5)))
+  expect_true(all(drawn$from == 0 & drawn$to == 0))
+  expect_false(any(duplicated(drawn$panel)))
+  terms <- data.frame(
+    term = c("work", "heat", "change"), role = c("supplied", "dissipated", "change"),
+    value = c(2, 1e-15, 2)
+  )
+  expect_equal(balance_bars(terms, "J", "energy")$term, c("work", "change"))
+  expect_equal(balance_bars(terms, "J", "energy", 3)$to, 0)
+})

@@ -9,7 +9,21 @@ test_that("a motion along a curve is drawn with its end", {
     expect_silent(ggplot2::ggplotGrob(plot))
     expect_match(plot$labels$alt, "the body (turns|arrives|leaves the track) after")
   }
-  places <- ggplot2::layer_data(plot, 2)
+  places <- ggplot2::layer_data(plot, 3)
   expect_equal(nrow(places), 13)
   expect_error(ggplot2::autoplot(motion, size = 3), class = "rotdyn_error_argument")
+})
+
+test_that("the track lies a radius beside the path, on the side of the curve", {
+  loop <- function(from, to) {
+    roll_on_curve(curve_circle(0.5), from, to, body = body_sphere(0.1, 0.05), v0_m_per_s = 6)
+  }
+  for (motion in list(loop(0, 2 * pi), loop(0, -2 * pi))) {
+    track <- ggplot2::layer_data(ggplot2::autoplot(motion), 1)
+    # The circle's centre is half a metre above its lowest point.
+    expect_equal(sqrt(track$x^2 + (track$y - 0.5)^2), rep(0.55, nrow(track)), tolerance = 1e-3)
+  }
+  hill <- track_of(0:4, rep(1, 5), 0.1, 1)
+  expect_equal(hill$y, rep(0.9, 5))
+  expect_equal(track_of(4:0, rep(1, 5), 0.1, -1)$y, rep(0.9, 5))
 })

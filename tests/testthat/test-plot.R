@@ -52,3 +52,19 @@ test_that("text is wrapped to a width, a unit stays whole", {
     rotdyn:::wrap_label("angular momentum (kg m^2/s)", 18, 2.5), "angular momentum\n(kg m^2/s)"
   )
 })
+
+test_that("plot() draws what autoplot() draws, of every class that has one", {
+  skip_if_not_installed("ggplot2")
+  grDevices::pdf(NULL)
+  on.exit(grDevices::dev.off())
+  picture <- plot(trajectory(scene_axle(2, 3), 0:4))
+  expect_s3_class(picture, "ggplot")
+  same <- ggplot2::autoplot(trajectory(scene_axle(2, 3), 0:4))
+  expect_identical(picture$labels$alt, same$labels$alt)
+  expect_s3_class(plot(scene_axle(2, 3), base_size = 20), "ggplot")
+  expect_error(plot(scene_axle(2, 3), col = 2), class = "rotdyn_error_argument")
+  names <- grep("^autoplot[.]rot_", ls(asNamespace("rotdyn")), value = TRUE)
+  for (class in sub("autoplot.", "", names, fixed = TRUE)) {
+    expect_identical(utils::getS3method("plot", class), plot_by_autoplot)
+  }
+})
