@@ -72,8 +72,8 @@ test_that("there are exercises for every section and every lesson", {
   skip_if(!length(pages), "no vignettes")
   name <- function(file) sub("[.]Rmd$", "", basename(file))
   expect_identical(setdiff(stats::na.omit(all$lesson), name(pages)), character())
-  lesson <- vapply(pages, function(file) any(grepl('^title: "[0-9]+ Lesson', source_lines(file))), NA)
-  lessons <- name(pages[lesson])
+  is_lesson <- function(file) any(grepl('^title: "[0-9]+ Lesson', source_lines(file)))
+  lessons <- name(Filter(is_lesson, pages))
   expect_gt(length(lessons), 20L)
   few <- lessons[vapply(lessons, function(lesson) sum(all$lesson %in% lesson) < 2L, NA)]
   expect_identical(few, character())
