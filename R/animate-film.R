@@ -89,7 +89,7 @@ motion_film <- function(motion, run, constraint, time_s) {
 
 # ---- numbers beside the picture -----------------------------------------------------------------
 
-most_values <- 6L
+max_values <- 6L
 
 # The columns of the panels of a motion, as far as there is room: whole panels, a line for each
 # value of the index.
@@ -110,8 +110,8 @@ motion_values <- function(rows, constraint) {
       })
     }), recursive = FALSE)
     added <- Filter(function(one) any(is.finite(one$x)), added)
-    if (length(out) + length(added) > most_values && length(out)) break
-    out <- c(out, utils::head(added, most_values))
+    if (length(out) + length(added) > max_values && length(out)) break
+    out <- c(out, utils::head(added, max_values))
   }
   out
 }

@@ -147,7 +147,7 @@ print.rot_animation <- function(x, ...) {
     "  ", length(film$time_s), " frames from ", ends[1], " to ", ends[2], " s",
     if (nzchar(speed)) paste0(", ", speed), "\n", sep = ""
   )
-  cat("  A file of it: animate_motion(, \"motion.html\"), .gif, .mp4 or .webm.\n")
+  cat("  A file of it: animate_motion(motion, \"motion.html\"), .gif, .mp4 or .webm.\n")
   if (interactive()) {
     path <- tempfile(fileext = ".html")
     write_file(format(x), path, rlang::current_env())

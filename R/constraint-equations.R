@@ -22,7 +22,7 @@ equations_constraint <- function() {
     stops = function(scene, call) {
       abort_no_closed_form("time of a stop", "{.fn trajectory} shows the motion.", call)
     },
-    slopes = equations_slopes, time_scales = equations_pace, call_laws = call_equations,
+    slopes = equations_slopes, time_scales = equations_time_scales, call_laws = call_equations,
     summary = function(x, run) {
       states <- names(run$scene$start)
       lapply(stats::setNames(states, paste0("final_", states)), function(name) last(x[[name]]))
@@ -76,7 +76,7 @@ equations_of_scene <- function(scene, record) {
 equations_fault <- function(scene) {
   start <- if (is.list(scene)) .subset2(scene, "start")
   states <- names(start)
-  sound <- is.double(start) && length(start) %in% seq_len(most_states) && is.character(states) &&
+  sound <- is.double(start) && length(start) %in% seq_len(max_states) && is.character(states) &&
     !anyNA(states) && all(nzchar(states)) && !anyDuplicated(states) &&
     !any(states %in% reserved_states)
   conserved <- .subset2(as.list(scene), "conserved")
@@ -135,7 +135,7 @@ call_equations <- function(scene, call) {
 
 # The times of the linear system at the start, by central differences; unknown where f has no values
 # around it.
-equations_pace <- function(scene, sizes, model) {
+equations_time_scales <- function(scene, sizes, model) {
   states <- names(scene$start)
   rates <- function(y) {
     unlist(equations_slopes(c(list(time_s = scene$start_s), as.list(y)), scene), use.names = FALSE)

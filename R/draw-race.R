@@ -88,7 +88,7 @@ race_film <- function(about, time_s) {
       max(falls, starts) + 2.8 * unit
     )))
   })
-  values <- lapply(seq_len(min(length(shown), most_values)), function(k) {
+  values <- lapply(seq_len(min(length(shown), max_values)), function(k) {
     list(label = paste("path,", named[k]), unit = "m", x = x[shown[k], ])
   })
   key <- quantity("", "A hole shows that the mass is at the rim; the bodies are not to scale.", "")

@@ -101,7 +101,7 @@ scene_equations <- function(f, start, ..., positions = NULL, conserved = NULL, s
 
 # Columns that verbs put beside the states, and measures whose columns would be theirs.
 reserved_states <- c("time_s", "event", "direction", "where", "true", "reference")
-most_states <- 16L
+max_states <- 16L
 
 check_states <- function(start, call) {
   remedy <- "Such as {.code start = c(theta_rad = 0.2, omega_rad_per_s = 0)}."
@@ -113,9 +113,9 @@ check_states <- function(start, call) {
     ), "type", call)
   }
   n <- length(start)
-  if (n < 1L || n > most_states) {
+  if (n < 1L || n > max_states) {
     abort_rotdyn(c(
-      "{.arg start} must have 1 to {most_states} states.", x = "It has {n}.", i = remedy
+      "{.arg start} must have 1 to {max_states} states.", x = "It has {n}.", i = remedy
     ), "size", call)
   }
   check_own_names(names(start), "start", "states", remedy, call)

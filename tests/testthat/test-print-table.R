@@ -169,6 +169,8 @@ others <- function() {
     list(scene_drive(1:2, coupling_shaft(5)), "shaft, 5 N m/rad"),
     list(scene_chain(c(1, 1), 1, 0.1), "theta0_rad +0.1 rad"),
     list(scene_hoop(1, 1, 2), "hoop_omega_rad_per_s +2 rad/s"),
+    list(scene_equations(function(x) -x, c(x = 1)), "x"),
+    list(animate_motion(trajectory(scene_hoop(1, 1, 2), 0:1)), "hoop"),
     list(scene_free(c(1, 2, 3), c(0, 4, 0)), "omega 0, 4, 0 rad/s"),
     list(scene_pivot(disk, c(0, 0, 60), pivot_m = c(0, 0, -0.1)), "omega 0, 0, 60 rad/s"),
     list(scene_incline(ball, 20), "never slips; rolling needs 0.104"),

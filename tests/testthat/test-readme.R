@@ -41,11 +41,11 @@ test_that("README and cheat sheet name functions and arguments that exist, and w
   sheet <- readLines(sheet, encoding = "UTF-8")
   of_others <- c(
     "library", "tail", "seq", "c", "list", "function", "vignette", "autoplot", "update", "predict",
-    "summary"
+    "summary", "browseVignettes", "f"
   )
   for (text in list(readme(), sheet)) {
     code <- unlist(regmatches(text, gregexpr("`[^`]+`", text)))
-    called <- unlist(regmatches(code, gregexpr("[a-z_.]+(?=\\()", code, perl = TRUE)))
+    called <- unlist(regmatches(code, gregexpr("[A-Za-z_.]+(?=\\()", code, perl = TRUE)))
     known <- c(getNamespaceExports("rotdyn"), of_others, "install.packages")
     expect_identical(setdiff(called, known), character())
     # Arguments by name, of calls without calls inside.
