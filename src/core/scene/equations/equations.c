@@ -146,9 +146,10 @@ static void fill_rows(const equations *e, size_t n, const double y[], const rot_
   }
 }
 
-/* A surface that is none, found in steep but smooth rates, is common to the two runs of the estimate:
- * a van der Pol oscillator of 1000 was off by 100 times its figure. Implicit steps are chosen anew,
- * for a smaller error and without probes: the rows differ by what they are off, nearly. */
+/* A surface that is none, found in steep but smooth rates, is common to the two runs of the
+ * estimate: a van der Pol oscillator of 1000 was off by 100 times its figure. Implicit steps are
+ * chosen anew, for a smaller error and without probes: the rows differ by what they are off,
+ * nearly. */
 static rot_status compare(const rot_ode_params *ode, const rot_task *task, const double y[],
                           double error[], const rot_hooks *hooks, rot_info *info) {
   rot_ode_params other = *ode;
