@@ -80,9 +80,25 @@ check_names_known <- function(x, arg, known, call) {
 
 exercise_folder <- function() system.file("exercises", package = "rotdyn")
 
+# A file for each exercise, in the folder of the session. They are installed by section: 91 files
+# of 2 kB would take 4 kB each.
+exercise_files <- function() {
+  to <- file.path(tempdir(), "rotdyn-exercises")
+  dir.create(to, showWarnings = FALSE)
+  mark <- "^<!-- exercise ([a-z0-9-]+) -->$"
+  for (section in list.files(exercise_folder(), "[.]Rmd$", full.names = TRUE)) {
+    lines <- readLines(section, encoding = "UTF-8")
+    starts <- grep(mark, lines)
+    files <- file.path(to, paste0(sub(mark, "\\1", lines[starts]), ".Rmd"))
+    parts <- split(lines, findInterval(seq_along(lines), starts))
+    for (i in which(!file.exists(files))) writeLines(parts[[i]][-1L], files[i], useBytes = TRUE)
+  }
+  sort(list.files(to, "[.]Rmd$", full.names = TRUE), method = "radix")
+}
+
 # All of them, by what their files say.
 exercise_table <- function() {
-  files <- sort(list.files(exercise_folder(), "[.]Rmd$", full.names = TRUE), method = "radix")
+  files <- exercise_files()
   rows <- lapply(files, exercise_meta)
   field <- function(name) vapply(rows, function(row) unname(row[name]), "")
   table <- list(

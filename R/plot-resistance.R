@@ -8,8 +8,8 @@
 #'
 #' @param object A [resistance()].
 #' @inheritParams autoplot.rot_trajectory
-#' @param most The largest angular velocity (rad/s) or speed (m/s), greater than 0; NULL for one at
-#'   which the parts are about equal, or 10.
+#' @param largest The largest angular velocity (rad/s) or speed (m/s), greater than 0; NULL for one
+#'   at which the parts are about equal, or 10.
 #' @return A ggplot, with alternative text.
 #' @section Errors: `rotdyn_error_package` without ggplot2; `rotdyn_error_argument`,
 #'   `rotdyn_error_type`, `rotdyn_error_value` where nothing resists.
@@ -20,7 +20,7 @@
 #' @examplesIf requireNamespace("ggplot2", quietly = TRUE)
 #' ggplot2::autoplot(resistance(0.03, quadratic_n_m_s2 = 0.002, coulomb_n_m = 0.1))
 #' @exportS3Method ggplot2::autoplot
-autoplot.rot_resistance <- function(object, ..., maximum = NULL, base_size = 13) {
+autoplot.rot_resistance <- function(object, ..., largest = NULL, base_size = 13) {
   call <- check_plot(base_size, ...)
   of <- function(name) resistance_value(object, name)
   parts <- c(
@@ -45,16 +45,16 @@ autoplot.rot_resistance <- function(object, ..., maximum = NULL, base_size = 13)
   if (!any(shown)) abort_rotdyn("Nothing resists: there is nothing to draw.", "value", call)
   power <- power[shown]
   parts <- parts[shown]
-  if (is.null(maximum)) {
+  if (is.null(largest)) {
     # Where the highest power equals the lowest one, a round number.
     k <- length(parts)
-    maximum <- if (k > 1L) 1.5 * (abs(parts[1] / parts[k]))^(1 / (power[k] - power[1])) else 10
-    maximum <- signif(maximum, 1)
-    if (!is.finite(maximum) || maximum <= 0) maximum <- 10
+    largest <- if (k > 1L) 1.5 * (abs(parts[1] / parts[k]))^(1 / (power[k] - power[1])) else 10
+    largest <- signif(largest, 1)
+    if (!is.finite(largest) || largest <= 0) largest <- 10
   } else {
-    maximum <- check_number(maximum, "most", "1", call, lower = 0, open = TRUE)
+    largest <- check_number(largest, "largest", "1", call, lower = 0, open = TRUE)
   }
-  speed <- seq(-maximum, maximum, length.out = 402L) # not at rest
+  speed <- seq(-largest, largest, length.out = 402L) # not at rest
   lines <- lapply(seq_along(parts), function(j) {
     data.frame(
       x = speed, y = sign(speed) * parts[[j]] * abs(speed)^power[[j]], part = names(parts)[j]

@@ -4,7 +4,7 @@ test_that("a resistance is drawn with its parts", {
   grDevices::pdf(NULL)
   on.exit(grDevices::dev.off())
   all <- resistance(0.03, quadratic_n_m_s2 = 0.002, coulomb_n_m = 0.1, static_n_m = 0.15)
-  plot <- ggplot2::autoplot(all, most = 20)
+  plot <- ggplot2::autoplot(all, largest = 20)
   drawn <- plot$data
   at <- function(part, x) {
     one <- drawn[drawn$part == part, ]
@@ -26,7 +26,7 @@ test_that("a resistance is drawn with its parts", {
   }
   expect_match(plot$labels$alt, "dry friction 0.1, viscous 0.03, quadratic 0.002")
   expect_error(ggplot2::autoplot(resistance()), class = "rotdyn_error_value")
-  expect_error(ggplot2::autoplot(all, most = 0), class = "rotdyn_error_value")
+  expect_error(ggplot2::autoplot(all, largest = 0), class = "rotdyn_error_value")
 })
 
 test_that("knots are drawn with what is before and after them", {
