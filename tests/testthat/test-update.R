@@ -195,9 +195,17 @@ update_cases <- function() {
         mass_kg = list(2), centre_m = list(c(0, 0, 2)), body = list(c(1, 1, 1.5)),
         start_s = list(1)
       )
+    ),
+    scene_equations = list(
+      list(f = swings, start = c(x = 1, v = 0)),
+      list(
+        f = list(function(x, v) c(v, -2 * x)), start = list(c(x = 2, v = 1)), positions = list("x"),
+        conserved = list(list(energy = function(x, v) x^2 + v^2)), start_s = list(1)
+      )
     )
   )
 }
+swings <- function(x, v) c(v, -x)
 quietly <- function(code) suppressMessages(suppressWarnings(code))
 make <- function(name, arguments) {
   quietly(do.call(getExportedValue("rotdyn", name), arguments, quote = TRUE))
