@@ -39,7 +39,7 @@ extern "C" {
 
 #define ROTDYN_API_MAJOR 1 /* another major: another layout */
 #define ROTDYN_API_MINOR 0 /* members are added at the end only */
-#define ROTDYN_VERSION   "0.5.0.9000"
+#define ROTDYN_VERSION   "0.6.0"
 
 #if defined ROTDYN_BUILD && defined __GNUC__
 #define ROTDYN_EXPORT __attribute__((visibility("default")))
@@ -282,7 +282,7 @@ typedef struct rotdyn_model {
 
 /* ---- the table -------------------------------------------------------------------------------
  *
- * version               "0.5.0.9000"
+ * version               "0.6.0"
  * status_text           of a rotdyn_status
  *
  * Rolling without slipping down an incline, beta = I/(m r^2), lengths in m, angles in degrees:
