@@ -28,7 +28,7 @@
 #' slider is the time. Nothing moves before play is pressed; where the reader's system asks for
 #' reduced motion, two pictures a second are shown. The text of the page says what the picture
 #' shows; a polite live region reads the numbers half a second after the last step. In R Markdown
-#' and Quarto an animation that a chunk returns is shown by itself, and several on one page are
+#' and Quarto an animation that a chunk returns is shown, and several on one page are
 #' independent of each other. Where the document is not HTML, and in `plot()`, its last frame stands
 #' for it, with alternative text.
 #'
@@ -162,7 +162,7 @@ print.rot_animation <- function(x, ...) {
 #' `autoplot()` and `plot()` of an animation draw one of its frames, with the quantities of the
 #' scene; the last one, unless `time_s` says otherwise.
 #'
-#' @param object What [animate_motion()] returned.
+#' @param object An animation, from [animate_motion()].
 #' @inheritParams autoplot.rot_trajectory
 #' @param time_s NULL, or a time in s: the frame nearest to it.
 #' @return A ggplot, with alternative text.

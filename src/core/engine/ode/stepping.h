@@ -24,7 +24,7 @@ typedef struct rot_ode_job {
   double *largest;                  /* of each measure */
   rot_ode_errors errors;
   int stiff;      /* in: look for it; out: found */
-  int first_mode; /* *p->mode where it sets out */
+  int first_mode; /* *p->mode at the start */
 } rot_ode_job;
 
 rot_status rot_ode_run_once(rot_ode_job *job, const rot_hooks *hooks, rot_info *info);
