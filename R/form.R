@@ -155,7 +155,7 @@ check_form <- function(x, form, arg, what, call) {
 
 abort_form <- function(part, arg, what, call) {
   abort_rotdyn(c(
-    "{.arg {arg}} is no {what} of this version of rotdyn.",
+    "{.arg {arg}} is not a valid {what} of this version of rotdyn.",
     x = if (nzchar(part)) "Its part {.field {part}} is missing or damaged." else
       "Its parts are missing or damaged.",
     i = "Make it again: its parts must not be edited, nor kept from another version."

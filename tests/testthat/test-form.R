@@ -5,7 +5,7 @@ test_that("forged objects are refused at the door of every verb", {
   shaft <- with_class("rot_scene_rotors", "rot_scene")
   clutch <- with_class("rot_scene_clutch", "rot_scene")
   for (scene in list(axle, shaft, clutch)) {
-    expect_error(trajectory(scene, 0:1), "no scene of this version", class = "rotdyn_error_type")
+    expect_error(trajectory(scene, 0:1), "not a valid scene of this version", class = "rotdyn_error_type")
     expect_error(choose_model(scene, 0:1), class = "rotdyn_error_type")
     expect_error(work_precision(scene, 0:1), class = "rotdyn_error_type")
     expect_error(print(scene), class = "rotdyn_error_type")
@@ -13,7 +13,7 @@ test_that("forged objects are refused at the door of every verb", {
   expect_error(stopping(axle), class = "rotdyn_error_type")
   expect_error(shaft_modes(shaft), class = "rotdyn_error_type")
   body <- with_class("rot_body")
-  expect_error(print(body), "no body of this version", class = "rotdyn_error_type")
+  expect_error(print(body), "not a valid body of this version", class = "rotdyn_error_type")
   expect_error(moment_of_inertia(body, "z"), class = "rotdyn_error_type")
   expect_error(principal_axes(body), class = "rotdyn_error_type")
   expect_error(inertia_tensor(body), class = "rotdyn_error_type")
@@ -86,7 +86,7 @@ test_that("a damaged trajectory is refused by every verb", {
     bad <- motion
     attr(bad, "run") <- spoil(attr(bad, "run"))
     for (verb in Filter(Negate(is.null), verbs)) {
-      expect_error(verb(bad), "no trajectory of this version", class = "rotdyn_error_type")
+      expect_error(verb(bad), "not a valid trajectory of this version", class = "rotdyn_error_type")
     }
   }
 })
