@@ -381,7 +381,7 @@ test_that("a part of a fit is a table, and a damaged one is refused", {
   damaged <- fit
   attr(damaged, "fit")$runs[[1]]$p <- "x"
   for (f in list(print, loss_budget, predict, augment, glance, as_scene, compare_laws)) {
-    expect_error(f(damaged), "no coast-down fit", class = "rotdyn_error_type")
+    expect_error(f(damaged), "not a valid coast-down fit", class = "rotdyn_error_type")
   }
 })
 
