@@ -43,10 +43,18 @@ if ("--readme" %in% commandArgs(trailingOnly = TRUE)) {
   if (!have_ggplot2) {
     stop("the README's picture needs the package ggplot2", call. = FALSE)
   }
-  file <- "man/figures/README-spin-up.png"
-  picture(file, ggplot2::autoplot(motion), 7.5, 4.6, 120)
   source("vignettes/pictures.R")
-  shrink_png(file)
+  drawn <- tempfile(fileext = ".svg")
+  plot <- ggplot2::autoplot(motion)
+  ggplot2::ggsave(drawn, plot, width = 7.5, height = 4.6, fix_text_size = FALSE)
+  svg <- svg_in_page(drawn, ggplot2::get_alt_text(plot))
+  # A file of its own, legible on a dark page, too.
+  head <- paste(
+    "<svg xmlns=\"http://www.w3.org/2000/svg\" font-family=\"Helvetica,Arial,sans-serif\"",
+    "style=\"background:#fff\" "
+  )
+  svg <- sub("margin:1em auto;", "", sub("<svg ", head, svg, fixed = TRUE), fixed = TRUE)
+  writeLines(svg, "man/figures/README-spin-up.svg")
   quit(save = "no")
 }
 

@@ -1,9 +1,11 @@
-# How the lessons print code and draw pictures. Sourced by their setup chunks where it is at hand: a
-# lesson runs without it.
+# How the pages print code and draw pictures. Sourced by their setup chunks where it is at hand: a
+# page runs without it.
 #
-# Eighty pictures of 84 dots an inch, with smooth edges, would take the package beyond 5 MB. As PNG
-# with a palette of the few colours that a plot has they take a third (spin-up, 588 x 302: 34 kB as
-# R writes it, 11 kB so).
+# Pictures are drawn by svglite and stand in the page as SVG, sharp at any size. A page has 588 px
+# for the 504 points of seven inches, so a tenth of a point is a quarter of a pixel on a screen of
+# two device pixels: coordinates are rounded to it, points of a line that lie nearer to their
+# neighbours' line are left out (the spin-up, 400 points a curve: 46 kB as svglite writes it, 13 kB
+# so). Without svglite, PNG of 168 dots an inch.
 
 knitr::opts_chunk$set(
   collapse = TRUE, comment = "#>", fig.width = 7, fig.height = 3.6,
@@ -11,83 +13,115 @@ knitr::opts_chunk$set(
 )
 options(width = 86, pillar.width = Inf)
 
-# Colours so near to each other, in steps of 1/255, become one. A difference of hue counts twice: a
-# grey line that becomes slightly green is seen, one that becomes slightly darker is not.
-nearest_kept <- 18
+picture_tolerance <- 0.1
 
-lightness_and_hue <- function(rgb) {
-  matrix(c(1, 1, 1, sqrt(6), -sqrt(6), 0, sqrt(2), sqrt(2), -sqrt(8)), 3L, byrow = TRUE) %*% rgb /
-    sqrt(3)
+# Which points of an open line are kept (Douglas and Peucker 1973).
+kept_points <- function(x, y) {
+  n <- length(x)
+  keep <- logical(n)
+  keep[c(1L, n)] <- TRUE
+  open <- list(c(1L, n))
+  while (length(open)) {
+    from <- open[[1]][1]
+    to <- open[[1]][2]
+    open[[1]] <- NULL
+    if (to - from < 2L) next
+    i <- seq.int(from + 1L, to - 1L)
+    along <- c(x[to] - x[from], y[to] - y[from])
+    long <- sum(along^2)
+    t <- if (long > 0) ((x[i] - x[from]) * along[1] + (y[i] - y[from]) * along[2]) / long else 0
+    t <- pmin(pmax(t, 0), 1)
+    far <- (x[i] - x[from] - t * along[1])^2 + (y[i] - y[from] - t * along[2])^2
+    if (max(far) <= picture_tolerance^2) next
+    mid <- i[which.max(far)]
+    keep[mid] <- TRUE
+    open <- c(list(c(from, mid), c(mid, to)), open)
+  }
+  keep
 }
 
-# Indices (from 0) into a palette of the most frequent colours.
-with_palette <- function(pixels) {
-  levels <- round(255 * pixels)
-  key <- as.integer(levels[, , 1] * 65536 + levels[, , 2] * 256 + levels[, , 3])
-  all <- unique(key)
-  all <- all[order(tabulate(match(key, all)), decreasing = TRUE)]
-  rgb <- rbind(all %/% 65536L, all %/% 256L %% 256L, all %% 256L)
-  colours <- lightness_and_hue(rgb)
-  kept <- integer()
-  for (i in seq_along(all)) {
-    apart <- colSums((colours[, kept, drop = FALSE] - colours[, i])^2)
-    if (!any(apart < nearest_kept^2)) kept <- c(kept, i)
-    if (length(kept) == 256L) break
+# A number as SVG has it: no zeros that say nothing.
+short_number <- function(x) sub("^(-?)0[.]", "\\1.", sub("^-0$", "0", as.character(round(x, 1))))
+
+short_points <- function(text) {
+  xy <- matrix(as.numeric(strsplit(trimws(text), "[ ,]+")[[1]]), 2)
+  keep <- kept_points(xy[1, ], xy[2, ])
+  paste(short_number(xy[1, keep]), short_number(xy[2, keep]), sep = ",", collapse = " ")
+}
+
+# gsub() with a function of what matched.
+replace_each <- function(text, pattern, f) {
+  found <- gregexpr(pattern, text, perl = TRUE)
+  regmatches(text, found) <- lapply(regmatches(text, found), function(one) {
+    vapply(one, f, "", USE.NAMES = FALSE)
+  })
+  text
+}
+
+# The styles of a page, as classes with short names that all its pictures share.
+page_styles <- new.env()
+page_styles$all <- character()
+page_styles$pictures <- 0L
+
+style_class <- function(style) {
+  # The font is the page's: svglite's is that of the machine that made it.
+  style <- gsub("stroke-linecap: round;|stroke-linejoin: round;|font-family: [^;]*;", "", style)
+  style <- gsub("(\\d[.]\\d*?)0+(?=px|;)", "\\1", gsub("\\s*([:;])\\s*", "\\1", style), perl = TRUE)
+  style <- sub(";$", "", gsub("[.](?=px|;)", "", style, perl = TRUE))
+  if (!style %in% page_styles$all) page_styles$all <- c(page_styles$all, style)
+  paste0("p", match(style, page_styles$all))
+}
+
+# The SVG of a file for a page: alternative text, short numbers, classes for styles.
+svg_in_page <- function(path, alt) {
+  svg <- paste(readLines(path, encoding = "UTF-8", warn = FALSE), collapse = "\n")
+  size <- as.numeric(strsplit(sub(".*?viewBox='([^']*)'.*", "\\1", svg), " ")[[1]])
+  body <- sub("</svg>\\s*$", "", sub("(?s)^.*?</defs>\\s*", "", svg, perl = TRUE))
+  known <- length(page_styles$all)
+  page_styles$pictures <- page_styles$pictures + 1L
+  body <- replace_each(body, "points='[^']*'", function(one) {
+    paste0("points='", short_points(gsub("^points='|'$", "", one)), "'")
+  })
+  body <- replace_each(body, "(?<=[ (])(x|y|x1|x2|y1|y2|cx|cy|r|width|height)='-?[0-9.]+'",
+                       function(one) {
+    number <- sub(".*'(.*)'", "\\1", one)
+    sub("'.*", paste0("='", short_number(as.numeric(number)), "'"), sub("=", "", one))
+  })
+  # Identifiers hold for the whole page.
+  body <- gsub("cp([A-Za-z0-9+/=]+)", paste0("c", page_styles$pictures, "\\1"), body)
+  body <- replace_each(body, "style='[^']*'", function(one) {
+    paste0("class='", style_class(gsub("^style='|'$", "", one)), "'")
+  })
+  body <- gsub("\\s*/>", "/>", gsub(">\\s*\n\\s*<", "><", body))
+  new <- page_styles$all[seq_along(page_styles$all) > known]
+  rules <- if (length(new)) sprintf(".pic .p%d{%s}", known + seq_along(new), new)
+  if (page_styles$pictures == 1L) {
+    rules <- c(
+      ".pic{display:block;margin:1em auto;max-width:100%;height:auto}",
+      paste0(".pic line,.pic polyline,.pic polygon,.pic path,.pic rect,.pic circle",
+             "{fill:none;stroke:#000;stroke-linecap:round;stroke-linejoin:round;",
+             "stroke-miterlimit:10}"),
+      ".pic text{white-space:pre}", rules
+    )
   }
-  chosen <- colours[, kept, drop = FALSE]
-  index <- apply(colours, 2L, function(colour) which.min(colSums((chosen - colour)^2)))
-  list(
-    palette = rgb[, kept, drop = FALSE],
-    index = matrix(index[match(key, all)] - 1L, nrow(levels))
+  text <- gsub("\"", "&quot;", gsub("<", "&lt;", gsub("&", "&amp;", alt)))
+  paste0(
+    "<svg class=\"pic\" role=\"img\" aria-label=\"", text, "\" viewBox=\"",
+    paste(size, collapse = " "), "\" width=\"", round(size[3] * 7 / 6), "\">",
+    if (length(rules)) paste0("<style>", paste(rules, collapse = ""), "</style>"), body, "</svg>"
   )
 }
 
-crc_table <- vapply(0:255, function(byte) {
-  for (k in 1:8) {
-    byte <- bitwXor(bitwShiftR(byte, 1L), if (byte %% 2 != 0) -306674912L else 0L)
-  }
-  byte
-}, 0)
+`%||%` <- function(x, y) if (is.null(x)) y else x
 
-big_endian <- function(x) as.raw(x %/% 256^(3:0) %% 256)
-
-# Length, name, data and checksum (PNG specification, sections 5.3 and D).
-png_chunk <- function(name, data) {
-  bytes <- c(charToRaw(name), data)
-  crc <- -1L
-  for (byte in as.integer(bytes)) {
-    low <- bitwAnd(bitwXor(crc, byte), 255L)
-    crc <- bitwXor(crc_table[low + 1L], bitwShiftR(crc, 8L))
-  }
-  c(big_endian(length(data)), bytes, big_endian(bitwNot(crc) %% 2^32))
+if (requireNamespace("svglite", quietly = TRUE)) {
+  knitr::opts_chunk$set(dev = "svglite", dev.args = list(fix_text_size = FALSE))
+  drawn_by_format <- knitr::knit_hooks$get("plot")
+  knitr::knit_hooks$set(plot = function(x, options) {
+    if (!grepl("[.]svg$", x)) return(drawn_by_format(x, options))
+    alt <- options$fig.alt %||% ggplot2::get_alt_text(ggplot2::last_plot())
+    paste0("\n```{=html}\n", svg_in_page(x, paste(alt, collapse = " ")), "\n```\n")
+  })
+} else {
+  knitr::opts_chunk$set(dpi = 168)
 }
-
-# The file again, with a palette; as it was where the package png is not there.
-shrink_png <- function(path, options) {
-  if (!grepl("[.]png$", path) || !requireNamespace("png", quietly = TRUE)) return(path)
-  pixels <- png::readPNG(path)
-  if (length(dim(pixels)) != 3L) return(path)
-  new <- with_palette(pixels)
-  index <- new$index
-  bits <- if (ncol(new$palette) <= 16L) 4L else 8L
-  width <- ncol(index)
-  if (bits == 4L) {
-    if (width %% 2L) index <- cbind(index, 0L)
-    odd <- seq(1L, ncol(index), by = 2L)
-    index <- 16L * index[, odd] + index[, odd + 1L]
-  }
-  rows <- rbind(0L, t(index)) # each row begins with its filter: none
-  bytes <- c(
-    as.raw(c(137, 80, 78, 71, 13, 10, 26, 10)),
-    png_chunk("IHDR", c(big_endian(width), big_endian(nrow(index)), as.raw(c(bits, 3, 0, 0, 0)))),
-    png_chunk("PLTE", as.raw(new$palette)),
-    png_chunk("IDAT", memCompress(as.raw(rows), "gzip")),
-    png_chunk("IEND", raw())
-  )
-  if (length(bytes) < file.size(path)) writeBin(bytes, path)
-  path
-}
-
-knitr::opts_chunk$set(
-  dpi = if (requireNamespace("png", quietly = TRUE)) 84 else 60, fig.process = shrink_png
-)

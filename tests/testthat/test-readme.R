@@ -34,9 +34,9 @@ test_that("the examples of the README print what it shows", {
   }
 })
 
-test_that("README and cheat sheet name functions and arguments that exist, and what is new", {
+test_that("README and the sheet of all verbs name functions and arguments that exist, and what is new", {
   root <- Sys.getenv("ROTDYN_ROOT", "no such folder")
-  sheet <- file.path(root, "vignettes", "cheat-sheet.Rmd")
+  sheet <- file.path(root, "vignettes", "rotdyn.Rmd")
   if (!file.exists(sheet)) skip("no vignettes")
   sheet <- readLines(sheet, encoding = "UTF-8")
   of_others <- c(

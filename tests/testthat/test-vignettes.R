@@ -136,7 +136,7 @@ test_that("titles are numbered: introduction, lessons 1, 2, ..., articles, overv
   pages <- pages_with("")
   kind <- sub("^[0-9]{2} ([A-Za-z]+).*", "\\1", vapply(pages, title_of, ""))
   expect_identical(
-    rle(unname(kind))$values, c("Introduction", "Lesson", "Article", "Cheat", "For")
+    rle(unname(kind))$values, c("Introduction", "Lesson", "Article", "For")
   )
   numbers <- vapply(pages, number_of, 0L)
   expect_false(anyDuplicated(numbers) > 0)
@@ -221,7 +221,7 @@ test_that("every page is listed for instructors, and links lead to pages that ex
   pages <- sub("[.]Rmd$", "", basename(files))
   text <- lapply(files, readLines, encoding = "UTF-8")
   names(text) <- pages
-  for (page in setdiff(pages, c("cheat-sheet", "instructors"))) {
+  for (page in setdiff(pages, "instructors")) {
     expect_true(any(grepl(paste0("`", page, "`"), text$instructors, fixed = TRUE)), info = page)
   }
   expect_identical(setdiff(pages_named(unlist(text)), pages), character())
