@@ -50,7 +50,7 @@ as_arc <- function(points) {
   b <- points[1 + n %/% 3, ]
   c <- points[1 + (2 * n) %/% 3, ]
   m <- 2 * rbind(b - a, c - a)
-  if (abs(det(m)) < 1e-9 * sum(m^2)) return(NULL)
+  if (abs(det(m)) <= 1e-9 * sum(m^2)) return(NULL) # all points may be one
   centre <- solve(m, c(sum(b^2) - sum(a^2), sum(c^2) - sum(a^2)))
   out <- sweep(points, 2, centre)
   radius <- sqrt(rowSums(out^2))

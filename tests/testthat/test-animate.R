@@ -111,6 +111,7 @@ test_that("arcs and maps stand for points", {
   expect_equal(diff(unname(as_arc(draw_circle(0, 1, 2)))[4:5]), 360)
   expect_null(as_arc(draw_box(0, 0, 1, 2)))
   expect_null(as_arc(cbind(1:20, 1:20)))
+  expect_null(as_arc(matrix(1, 20, 2)))
   expect_null(as_arc(draw_circle(0, 0, 1) %*% diag(c(1, 2))))
   points <- draw_box(0, 0, 100, 300)
   turned <- lapply(c(0, 0.3, 2), function(a) {

@@ -268,15 +268,17 @@ static void refine(rot_ode_job coarse, size_t parts, double tolerance, int stepw
   const double first = coarse.tolerance;
   double last = INFINITY;
   for (int k = 0; k < MAX_RUNS; k++) {
+    /* Not where the coarse run is kept: it may be a finer run than the first. */
+    const size_t other = coarse.trace == traces[0];
     rot_ode_job fine = coarse;
     fine.reference = reference;
     fine.parts = parts;
-    fine.trace = traces[k % 2];
+    fine.trace = traces[other];
     fine.rows.slope =
         corrections(&fine) ? NULL : out.slope; /* slopes are those of the rows as they stay */
     for (size_t i = 0; out.slope && i < out.n; i++) out.slope[i] = NAN;
     fine.largest = out.largest;
-    fine.errors.missed = scratch + (size_t)(1 + k % 2) * p->dim;
+    fine.errors.missed = scratch + (1 + other) * p->dim;
     fine.budget = p->max_steps;
     fine.tolerance = fmax(MIN_FINE, 8.0 * first / rot_ode_gain(fine.method, (double)parts));
     rot_ode_run_once(&fine, hooks, info);
