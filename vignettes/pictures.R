@@ -11,7 +11,7 @@ knitr::opts_chunk$set(
   collapse = TRUE, comment = "#>", fig.width = 7, fig.height = 3.6,
   fig.align = "center", out.width = "100%"
 )
-options(width = 86, pillar.width = Inf)
+options(width = 80) # what a reader's console has
 
 picture_tolerance <- 0.1
 
