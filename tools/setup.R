@@ -2,6 +2,7 @@
 #
 #   Rscript tools/setup.R imports         names in DESCRIPTION's Imports
 #   Rscript tools/setup.R suggests        names in DESCRIPTION's Suggests
+#   Rscript tools/setup.R lessons         those of them that vignettes/ names
 #   Rscript tools/setup.R missing PKG...  those of PKG that R cannot load, or only too old a one
 #   Rscript tools/setup.R install PKG...  installs them from CRAN
 #   Rscript tools/setup.R library         the first library that can be written, made if need be
@@ -14,6 +15,13 @@ entries <- function(field) {
   all[nzchar(all)]
 }
 names_of <- function(field) setdiff(sub("[ (].*", "", gsub("\\s+", " ", entries(field))), base)
+
+named_in_lessons <- function(packages) {
+  text <- unlist(lapply(list.files("vignettes", "[.](Rmd|R|yml)$", full.names = TRUE), readLines))
+  Filter(function(name) {
+    any(grepl(sprintf("\"%1$s\"|library\\(%1$s\\)|\\b%1$s::", name), text))
+  }, packages)
+}
 
 # The minimum version that DESCRIPTION asks for, "0" if it asks for none.
 minimum <- function(pkg) {
@@ -53,6 +61,7 @@ args <- commandArgs(trailingOnly = TRUE)
 switch(args[1L],
   imports = writeLines(names_of(fields["Imports"])),
   suggests = writeLines(names_of(fields["Suggests"])),
+  lessons = writeLines(named_in_lessons(names_of(fields["Suggests"]))),
   missing = writeLines(Filter(Negate(loads), unique(args[-1L]))),
   install = install(args[-1L]),
   library = writeLines(first_library()),

@@ -187,7 +187,7 @@ may=""
 case $group in
   # lpSolve judges structures at rest (bench/coverage/statics.R).
   coverage) may="lpSolve" ;;
-  demo) may="dplyr ggplot2 knitr rmarkdown" ;;
+  demo) may=$(ask_r lessons) ;;
   test | bench) must="$must testthat"; may=$(ask_r suggests) ;;
   # roxygen2 loads the package from its sources; pkgbuild compiles them.
   document) must="$must roxygen2 pkgbuild" ;;

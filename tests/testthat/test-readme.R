@@ -67,3 +67,21 @@ test_that("README and the sheet of all verbs name functions and arguments that e
     expect_true(any(grepl(name, sheet, fixed = TRUE)), info = name)
   }
 })
+
+test_that("README installs what the lessons need, and make demo does", {
+  root <- Sys.getenv("ROTDYN_ROOT", "no such folder")
+  skip_if_not(file.exists(file.path(root, "tools", "setup.R")), "the repository")
+  text <- paste(readme(), collapse = "\n")
+  named <- unlist(regmatches(text, gregexpr("install[.]packages\\(c\\([^)]*\\)", text)))
+  named <- gsub("\"", "", unlist(regmatches(named, gregexpr("\"[^\"]+\"", named))))
+  wanted <- function(what) {
+    old <- setwd(root)
+    on.exit(setwd(old))
+    system2(file.path(R.home("bin"), "Rscript"), c("tools/setup.R", what), stdout = TRUE)
+  }
+  lessons <- wanted("lessons")
+  expect_true(all(c("ggplot2", "svglite", "knitr", "rmarkdown", "RSQLite") %in% lessons))
+  expect_setequal(named, c(wanted("imports"), lessons))
+  demo <- grep("^ *demo\\) may=", readLines(file.path(root, "tools", "setup.sh")), value = TRUE)
+  expect_match(demo, "ask_r lessons")
+})
