@@ -3,7 +3,7 @@
 .DEFAULT_GOAL := help
 .PHONY: help demo test core snapshots bench document format objects
 .PHONY: check-valgrind check-databases check-nosuggests check-manual check-coverage check-fuzz check-fuzz-sanitized
-.PHONY: map check-animations check-damage check-interrupt check-long check-measurement check-mutants check-scenes library examples
+.PHONY: map check-animations check-damage check-interrupt check-lessons check-long check-measurement check-mutants check-scenes library examples
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' $(firstword $(MAKEFILE_LIST)) | expand -t 30
@@ -62,6 +62,9 @@ check-damage: ## random and damaged calls of the C interface under sanitizers: C
 
 check-animations: ## five animations driven by the keyboard in Chromium, axe-core's rules
 	@sh tools/check-animations.sh
+
+check-lessons: ## every lesson with README's packages alone, its outputs counted, in Chromium
+	@sh tools/check-lessons.sh
 
 check-scenes: ## every scene and body that the tests make, as text and back
 	@sh tools/check-scenes.sh

@@ -1,53 +1,17 @@
 // Drives the pages of tools/animations.R in headless Chromium by the keyboard alone: play, step,
 // scrub, the last frame against the last row, the rules of axe-core. Prints a line for each check,
 // then `animations: N passed, N failed`.
-import { createRequire } from "node:module";
-import { mkdtempSync, readFileSync, readdirSync, rmSync, existsSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 import { join } from "node:path";
-import { tmpdir } from "node:os";
+import { check, close, open, report, violations } from "./browser.mjs";
 
-const { CHROMIUM, WEB, PAGES, SHOTS } = process.env;
-const require = createRequire(join(WEB, "x.js"));
-const { chromium } = require("playwright-core");
-const axe = readFileSync(require.resolve("axe-core/axe.min.js"), "utf8");
-
-let passed = 0, failed = 0;
-function check(what, fine, more = "") {
-  if (fine) passed++; else failed++;
-  console.log(`${fine ? "ok" : "not ok"} - ${what}${fine ? "" : ` (${more})`}`);
-}
-
-const profile = mkdtempSync(join(tmpdir(), "rotdyn-chromium-"));
-const context = await chromium.launchPersistentContext(profile, {
-  executablePath: CHROMIUM, headless: true, viewport: { width: 760, height: 900 },
-  args: ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run",
-    "--disable-background-networking", "--disable-component-update", "--disable-sync"]
-});
-
-async function open(name) {
-  const page = await context.newPage();
-  page.heard = [];
-  page.asked = [];
-  page.on("console", (message) => page.heard.push(message.text()));
-  page.on("pageerror", (error) => page.heard.push(error.message));
-  page.on("request", (request) => {
-    if (!/^(file|data|blob):/.test(request.url())) page.asked.push(request.url());
-  });
-  await page.goto("file://" + join(PAGES, name + ".html"));
-  return page;
-}
+const { PAGES, SHOTS } = process.env;
 const frame = (page, at = 0) => page.locator(".rotdyn-film").nth(at)
   .evaluate((root) => Number(root.dataset.frame));
 // What is seen: the paths that are not hidden.
 const shape = (page, at = 0) => page.locator(".stage").nth(at).evaluate((svg) =>
   [...svg.querySelectorAll("path[d]:not([display])")].map((one) => one.getAttribute("d"))
     .sort().join(" "));
-async function violations(page) {
-  if (!(await page.evaluate(() => "axe" in window))) await page.evaluate(axe);
-  const found = await page.evaluate(() => window.axe.run(document));
-  return found.violations.map((one) => `${one.id}: ${one.nodes[0].html.slice(0, 100)}`);
-}
-
 const names = ["race", "collision", "pendulum", "chain", "gyroscope"];
 for (const name of names) {
   const page = await open(name);
@@ -184,7 +148,5 @@ if (existsSync(join(PAGES, "both.html"))) {
   await page.close();
 }
 
-await context.close();
-rmSync(profile, { recursive: true, force: true });
-console.log(`animations: ${passed} passed, ${failed} failed`);
-process.exit(failed ? 1 : 0);
+await close();
+report("animations");

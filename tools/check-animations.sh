@@ -11,30 +11,8 @@
 
 . "${0%/*}/common.sh"
 
-skip() { echo "animations: skipped, $*"; exit 0; }
-
-find_chromium() { command -v chromium || command -v chromium-browser || command -v google-chrome; }
-
-chromium=$(find_chromium)
-if test -z "$chromium" && command -v apt-get > /dev/null 2>&1 && test "$(id -u)" = 0; then
-  apt-get update -qq < /dev/null || true
-  # A second time: an installation that lost an archive goes on.
-  for time in 1 2; do
-    DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends chromium \
-      < /dev/null > /dev/null 2>&1 && break
-  done
-  chromium=$(find_chromium)
-fi
-test -n "$chromium" || skip "Chromium is not installed"
-command -v node > /dev/null 2>&1 || skip "node is not installed"
-
-web=${ROTDYN_WEB:-${TMPDIR:-/tmp}/rotdyn-web}
-mkdir -p "$web" || exit 1
-if ! test -d "$web/node_modules/playwright-core" || ! test -d "$web/node_modules/axe-core"; then
-  command -v npm > /dev/null 2>&1 || skip "npm is not installed"
-  (cd "$web" && npm install --no-save --no-audit --no-fund playwright-core axe-core) \
-    > "$web/npm.log" 2>&1 || { tail -n 5 "$web/npm.log"; skip "npm installed no packages"; }
-fi
+. tools/web.sh
+find_web animations
 
 mkdir "$work/pages" "$work/library"
 if test "$ROTDYN_INSTALLED" != yes; then
