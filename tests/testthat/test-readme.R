@@ -34,7 +34,7 @@ test_that("the examples of the README print what it shows", {
   }
 })
 
-test_that("README and the sheet of all verbs name functions and arguments that exist, and what is new", {
+test_that("README and the sheet of all verbs name what exists, and what is new", {
   root <- Sys.getenv("ROTDYN_ROOT", "no such folder")
   sheet <- file.path(root, "vignettes", "rotdyn.Rmd")
   if (!file.exists(sheet)) skip("no vignettes")
