@@ -115,7 +115,7 @@ accuracy_labels <- function(points, base_size) {
   }))
   ggplot2::geom_text(
     data = labels, ggplot2::aes(label = .data$label), hjust = 0, vjust = -0.4,
-    size = 0.85 * text_size(base_size), show.legend = FALSE, check_overlap = TRUE
+    size = 0.9 * text_size(base_size), show.legend = FALSE, check_overlap = TRUE
   )
 }
 

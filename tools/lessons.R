@@ -41,7 +41,7 @@ for (file in list.files(folders[1], "[.]Rmd$")) {
     counts <- c(outputs = 0L, pictures = 0L, moving = 0L)
     for (chunk in chunks_of(readLines(file.path(folders[1], file), encoding = "UTF-8"))) {
       if (grepl("include *= *FALSE|echo *= *FALSE|eval *= *FALSE", chunk$head)) next
-      first <- entities(trimws(chunk$code[nzchar(chunk$code)][1], "right"))
+      first <- paste0("<code>", entities(trimws(chunk$code[nzchar(chunk$code)][1], "right")))
       found <- regexpr(first, substring(html, at), fixed = TRUE)
       if (found < 0L) {
         missing <- c(missing, paste("code:", chunk$code[1]))

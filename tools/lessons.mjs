@@ -39,6 +39,7 @@ for (const name of names) {
   check(`${name}: axe finds nothing`, wrong.length === 0, wrong.join("; "));
   for (const width of [400, 320]) {
     await page.setViewportSize({ width, height: 800 });
+    await page.waitForTimeout(100);
     const wide = await page.evaluate(() => document.documentElement.scrollWidth);
     check(`${name}: no sideways scrolling at ${width} px`, wide <= width, wide);
     if (SHOTS && width === 400) {
