@@ -111,7 +111,8 @@ page_head <- function(about, kind) {
 # What makes the same numbers again.
 origin_of <- function(about) {
   version <- if (length(about$version)) paste0(", version ", about$version)
-  paste0("rotdyn ", utils::packageVersion("rotdyn"), ", seed ", format(about$seed), version)
+  seed <- format(about$seed, scientific = FALSE)
+  paste0("rotdyn ", utils::packageVersion("rotdyn"), ", seed ", seed, version)
 }
 
 sheet_lines <- function(about) {
