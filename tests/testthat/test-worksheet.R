@@ -1,27 +1,6 @@
 # Worksheets: sheets without answers, keys with them, the numbers of write_exercises().
 
-lessons_at <- function() {
-  folder <- system.file("doc", package = "rotdyn")
-  if (!length(list.files(folder, "[.]Rmd$"))) {
-    folder <- file.path(Sys.getenv("ROTDYN_ROOT", file.path("..", "..")), "vignettes")
-  }
-  if (!length(list.files(folder, "[.]Rmd$"))) skip("no lessons")
-  folder
-}
-
-# write_worksheet() with the lessons of the sources where none are installed.
-write_sheet <- function(..., folder = lessons_at()) {
-  here <- asNamespace("rotdyn")
-  put <- function(f) {
-    unlockBinding("lesson_folder", here)
-    assign("lesson_folder", f, here)
-    lockBinding("lesson_folder", here)
-  }
-  old <- get("lesson_folder", here)
-  on.exit(put(old))
-  put(function() folder)
-  write_worksheet(...)
-}
+write_sheet <- function(..., folder = lessons_at()) with_lessons(write_worksheet(...), folder)
 
 need_writers <- function() {
   for (package in c("exams", "knitr", "rmarkdown", "xml2")) skip_if_not_installed(package)
