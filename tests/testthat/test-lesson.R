@@ -40,8 +40,9 @@ test_that("the lessons are listed in the order of the course", {
 test_that("a notebook has the lesson's text and code, without its answers", {
   for (name in with_lessons(lesson()$lesson)) {
     file <- file.path(new_folder(), "notebook.Rmd")
-    expect_invisible(path <- with_lessons(lesson(name, file)))
-    expect_identical(path, file)
+    expect_identical(
+      with_lessons(withVisible(lesson(name, file))), list(value = file, visible = FALSE)
+    )
     lines <- readLines(file, encoding = "UTF-8")
     expect_no_match(
       paste(lines, collapse = "\n"), "details>|summary>|Vignette|html_vignette|pictures[.]R|has_",

@@ -19,7 +19,9 @@ test_that("a sheet has the questions, and the key the answers, with the numbers 
   need_writers()
   folder <- new_folder()
   before <- get0(".Random.seed", globalenv())
-  expect_invisible(key <- write_sheet("slip", folder, n = 2, seed = 5))
+  key <- with_lessons(withVisible(write_worksheet("slip", folder, n = 2, seed = 5)))
+  expect_false(key$visible)
+  key <- key$value
   expect_identical(get0(".Random.seed", globalenv()), before)
   expect_setequal(
     list.files(folder), paste0("slip-", c("sheet-1", "sheet-2", "key-1", "key-2"), ".html")
