@@ -8,13 +8,13 @@ exercise_sections <- c(
 )
 
 exercise_column_words <- list(
-  c("title", "", "title of an exercise"),
+  c("title", "", "title of an exercise or of a lesson"),
   c("section", "", "section of the course"),
   c("topic", "", "what an exercise is about"),
   c("lesson", "", "lesson that an exercise belongs to: the name of a vignette"),
   c("file", "", "path of a file"),
   c("version", "1", "number of a version of a set of exercises"),
-  c("number", "1", "number of a question in its set"),
+  c("number", "1", "number of a question in its set, of a lesson in the course"),
   c("answer", "", "right answer of a question, as text"),
   c("letter", "", "letter of the right option of a question"),
   c("tolerance", "1", "absolute tolerance of the answer, in its unit")
@@ -171,46 +171,66 @@ write_exercises <- function(x, dir, to = c("html", "pdf", "moodle", "canvas"), .
   rows <- check_exercises(x, call)
   dir <- check_file_name(dir, call, "dir", "folder")
   to <- check_choice(to, "to", c("html", "pdf", "moodle", "canvas"), call)
-  n <- check_number(n, "n", "1", call, lower = 1, upper = 1000)
-  if (n != round(n)) {
-    abort_rotdyn("{.arg n} must be a whole number: it is {format(n)}.", "value", call)
-  }
-  seed <- check_number(seed, "seed", "1", call, lower = 0, upper = .Machine$integer.max)
-  if (seed != round(seed)) {
-    abort_rotdyn("{.arg seed} must be a whole number: it is {format(seed)}.", "value", call)
-  }
+  n <- check_versions(n, call)
+  seed <- check_drawing_seed(seed, call)
   if (!rlang::is_string(name) || !grepl("^[A-Za-z0-9_-]+$", name)) {
     abort_rotdyn(c(
       "{.arg name} must be one word of letters, digits, - and _.",
       x = "It is {describe_value(name)}."
     ), "value", call)
   }
-  need_package("exams", "Writing exercises", call)
+  need_drawing("Writing exercises", call)
   if (!rmarkdown::pandoc_available()) need_program("pandoc", "Writing exercises", call)
   if (to == "pdf" && !nzchar(Sys.which("pdflatex"))) need_program("LaTeX", "A set as PDF", call)
   if (to == "canvas" && !nzchar(Sys.which(Sys.getenv("R_ZIPCMD", "zip")))) {
     need_program("zip", "A set for Canvas", call)
   }
-  suppressWarnings(dir.create(dir, FALSE, TRUE))
-  if (file.access(dir, 2L) != 0L) {
-    abort_rotdyn("The folder {.file {dir}} cannot be written to.", "file", call)
-  }
+  make_folder(dir, call)
   with_seed(seed, key <- write_set(rows, dir, to, n, name, seed))
   path <- file.path(dir, paste0(name, "-key.csv"))
   utils::write.csv(as.data.frame(key), path, row.names = FALSE, fileEncoding = "UTF-8")
   invisible(key)
 }
 
-check_exercises <- function(x, call) {
+# How many versions of a set.
+check_versions <- function(n, call) {
+  n <- check_number(n, "n", "1", call, lower = 1, upper = 1000)
+  if (n != round(n)) {
+    abort_rotdyn("{.arg n} must be a whole number: it is {format(n)}.", "value", call)
+  }
+  n
+}
+
+check_drawing_seed <- function(seed, call) {
+  seed <- check_number(seed, "seed", "1", call, lower = 0, upper = .Machine$integer.max)
+  if (seed != round(seed)) {
+    abort_rotdyn("{.arg seed} must be a whole number: it is {format(seed)}.", "value", call)
+  }
+  seed
+}
+
+# The packages that draw, and find pandoc.
+need_drawing <- function(why, call) {
+  for (package in c("exams", "knitr", "rmarkdown")) need_package(package, why, call)
+}
+
+make_folder <- function(dir, call) {
+  suppressWarnings(dir.create(dir, FALSE, TRUE))
+  if (file.access(dir, 2L) != 0L) {
+    abort_rotdyn("The folder {.file {dir}} cannot be written to.", "file", call)
+  }
+}
+
+check_exercises <- function(x, call, arg = "x") {
   all <- exercise_table()
   names <- if (is.data.frame(x)) x[["name"]] else x
   if (!is.character(names) || anyNA(names)) {
     abort_rotdyn(c(
-      "{.arg x} must be rows of {.fn exercises} or names of exercises.",
+      "{.arg {arg}} must be rows of {.fn exercises} or names of exercises.",
       x = "It is {describe_value(x)}."
     ), "type", call)
   }
-  if (!length(names)) abort_rotdyn("{.arg x} has no exercises.", "value", call)
+  if (!length(names)) abort_rotdyn("{.arg {arg}} has no exercises.", "value", call)
   other <- setdiff(names, all$name)
   if (length(other)) {
     abort_rotdyn(c(
@@ -220,8 +240,10 @@ check_exercises <- function(x, call) {
   all[match(names, all$name), ]
 }
 
-need_program <- function(program, why, call) {
-  abort_rotdyn("{why} needs {program}, which is not installed.", "package", call)
+need_program <- function(program, why, call, hint = NULL) {
+  abort_rotdyn(
+    c("{why} needs {program}, which is not installed.", i = hint), "package", call
+  )
 }
 
 # Evaluates `code` with random numbers of its own.
@@ -296,9 +318,10 @@ exercise_key <- function(drawn, rows) {
   ), nrow = length(each))
 }
 
-# "2 kg m^2" of "2 kg m<sup>2</sup>".
+# "2 kg m^2" of "2 kg m<sup>2</sup>", and of the Markdown "2 kg m^2^".
 plain_of_html <- function(text) {
   text <- paste(text, collapse = " ")
+  text <- gsub("\\^(-?[0-9]+)\\^", "^\\1", gsub("\\$(-[0-9.]+)\\$", "\\1", text))
   text <- gsub("<sup>|\\\\textsuperscript\\{", "^", text)
   text <- gsub("<[^>]*>|[{}]", "", text)
   for (entity in list(c("&nbsp;|&#160;|~", " "), c("&minus;", "-"), c("&times;", "x"),

@@ -43,12 +43,18 @@ faults_of <- function(one, kind) {
     faults <- c(faults,
       solution = !isTRUE(all.equal(meta[1], asked$value, tolerance = 1e-10)),
       tolerance = !isTRUE(all.equal(meta[2], asked$within * abs(asked$value), tolerance = 1e-9)),
+      # Canvas rounds answers to four places.
+      places = abs(asked$value) < 1e-2,
       stated = !grepl("to within [12]&nbsp;%[.]", words)
     )
   } else {
     faults <- c(faults,
       four = length(asked$text) != 4L, distinct = anyDuplicated(asked$text) > 0L,
-      apart = !is.null(asked$values) && !one$env$apart(asked$values)
+      apart = !is.null(asked$values) && !one$env$apart(asked$values),
+      # A platform that takes the number with its tolerance takes no wrong option.
+      wrong = !is.null(asked$values) &&
+        any(abs(asked$values[-1] - asked$value) <=
+          asked$within * (abs(asked$values[-1]) + abs(asked$value)))
     )
   }
   names(faults)[faults]
@@ -216,6 +222,16 @@ test_that("a Canvas set parses and has a question for each exercise", {
     xml2::xml_name(xml2::xml_find_all(page, "//*[local-name()='item']"))
   }))
   expect_length(items, nrow(key))
+  # Numbers: the limits that are accepted, in the order of the questions.
+  quiz <- pages[[which(vapply(pages, xml2::xml_name, "") == "questestinterop")]]
+  numbers <- function(tag) {
+    as.double(xml2::xml_text(xml2::xml_find_all(quiz, paste0("//*[local-name()='", tag, "']"))))
+  }
+  asked <- key[key$kind == "num", ]
+  value <- as.double(asked$answer)
+  expect_equal(numbers("vargte"), value - asked$tolerance, tolerance = 1e-9)
+  expect_equal(numbers("varlte"), value + asked$tolerance, tolerance = 1e-9)
+  expect_true(all(abs(value) >= 1e-2))
 })
 
 test_that("pages hold the questions, and the solutions beside them", {
