@@ -65,7 +65,7 @@ draw_incline <- function(scene) {
   d$keys(size_quantities(scene$body))
   d$key(quantity("alpha", "incline", value_text(scene$incline_angle_deg, "degrees")))
   corner <- if (slope >= 0) ends[2, ] else ends[1, ]
-  d$say("alpha", corner[1] - sign(slope + (slope == 0)) * 0.4, corner[2] + 0.06)
+  if (slope != 0) d$say("alpha", corner[1] - sign(slope) * 0.4, corner[2] + 0.06)
   force <- function(name, symbol, words, style) {
     if (isTRUE(forces[[name]] != 0)) {
       d$key(quantity(symbol, words, value_text(abs(forces[[name]]), "N"), style))
