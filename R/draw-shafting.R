@@ -39,7 +39,9 @@ draw_shafting <- function(scene, inertia, couplings, more = NULL, clutch_labels 
         mark("fill", draw_box(middle, y[i], 0.14, 2 * r[1]), "shaft"),
         mark("fill", draw_box(middle, y[i + 1L], 0.14, 2 * r[2]), "shaft")
       )
-      if (kind == "spring" && stiff[i] > 0 && few) say(name("k", i), (from + middle) / 2, y[i] + 0.24)
+      if (kind == "spring" && stiff[i] > 0 && few) {
+        say(name("k", i), (from + middle) / 2, y[i] + 0.24)
+      }
     } else if (kind %in% c("clutch", "locked")) {
       gap <- if (kind == "clutch") 0.09 else 0.05
       add(

@@ -1,8 +1,8 @@
 #' Free-body drawing
 #'
-#' The body with all forces on it: loads, and the reactions of the supports. The arrows are to scale;
-#' forces below a fifth of the largest are drawn longer, so that they are seen. A load along a
-#' line is arrows along it, as high as it is there. Dashed arrows are the normals of surfaces and
+#' The body with all forces on it: loads, and the reactions of the supports. The arrows are to
+#' scale; forces below a fifth of the largest are drawn longer, so that they are seen. A load along
+#' a line is arrows along it, as high as it is there. Dashed arrows are the normals of surfaces and
 #' rollers. A body in space is drawn in oblique projection, with x to the right, z up and y into the
 #' page; on supports below its loads it has a plate and legs, unless it has an outline.
 #'

@@ -30,6 +30,13 @@ autoplot.rot_audit <- function(object, ..., base_size = 13) {
   if (is.null(drawn)) {
     abort_rotdyn("There is no balance to draw: no rows, or no values.", "value", call)
   }
+  for (name in unique(drawn$panel)) {
+    here <- drawn$panel == name
+    power <- power_of(c(drawn$from[here], drawn$to[here]))
+    if (!grepl(")", name, fixed = TRUE)) next
+    drawn[here, c("from", "to")] <- drawn[here, c("from", "to")] / 10^power
+    drawn$panel[here] <- label_in_power(name, power)
+  }
   # Balances without a bar are named, unless there are no others.
   empty <- tapply(drawn$from != drawn$to, drawn$panel, any)
   empty <- unique(drawn$panel)[!empty[unique(drawn$panel)]]
@@ -84,8 +91,12 @@ autoplot.rot_audit <- function(object, ..., base_size = 13) {
     } else {
       ggplot2::scale_x_continuous(breaks = plot_breaks(base_size), guide = plot_axis())
     }) +
-    ggplot2::scale_fill_manual(values = roles, breaks = names(roles), name = NULL) +
-    ggplot2::scale_colour_manual(values = roles, breaks = names(roles), name = NULL) +
+    ggplot2::scale_fill_manual(
+      values = roles, breaks = if (!still) names(roles), name = NULL
+    ) +
+    ggplot2::scale_colour_manual(
+      values = roles, breaks = if (!still) names(roles), name = NULL
+    ) +
     ggplot2::labs(
       title = wrap_title(paste("Audit:", verdict), base_size), x = NULL, y = NULL,
       subtitle = if (length(empty) && !still) {

@@ -151,7 +151,8 @@ plot_table <- function(object, results, panels, x, colour, what, base_size, call
       alt = paste0(
         nrow(object), " ", what, " over ", label, if (!is.null(colour)) {
           paste0(", coloured by ", column_label(colour))
-        }, if (length(types)) paste0(", types of line by ", column_label(third)), ". ", paste(vapply(split(long, long$panel), function(one) {
+        }, if (length(types)) paste0(", types of line by ", column_label(third)),
+        ". ", paste(vapply(split(long, long$panel), function(one) {
           paste0(one$panel[1], ": ", range_in_words(one$value))
         }, ""), collapse = "; "), "."
       )

@@ -261,12 +261,10 @@ panels_with_zero <- function(long) {
 in_powers <- function(long) {
   for (name in unique(long$panel)) {
     here <- long$panel == name
-    size <- max(abs(long$value[here]), 0)
-    if (!isTRUE(is.finite(size) && size > 0 && (size < 1e-3 || size >= 1e5))) next
-    if (!grepl("[(].*[)]$", name)) next
-    power <- 3 * floor(log10(size) / 3)
+    power <- power_of(long$value[here])
+    if (power == 0 || !grepl("[(].*[)]$", name)) next
     long$value[here] <- long$value[here] / 10^power
-    long$panel[here] <- sub("[(]([^(]*)$", paste0("(1e", power, " \\1"), name)
+    long$panel[here] <- label_in_power(name, power)
   }
   long
 }
