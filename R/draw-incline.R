@@ -36,7 +36,7 @@ incline_body <- function(d, scene, centre, r, angle, forces, unit) {
     d$add(mark("arrow", rbind(from, tip), style))
     beside <- sign(side) * c(-direction[2], direction[1])
     beyond <- (if (style == "weight") -0.12 else 0.05) * sign(long) * direction
-    away <- if (style == "weight") 0.2 else 0.15
+    away <- if (style == "weight") 0.18 else 0.15
     d$say(symbol, tip[1] + away * beside[1] + beyond[1], tip[2] + away * beside[2] + beyond[2])
   }
   arrow(centre, c(0, -1), forces[["weight"]], "m*g", "weight", -1)
