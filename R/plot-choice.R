@@ -67,7 +67,9 @@ autoplot.rot_model_choice <- function(object, ..., base_size = 13) {
       limits = reach(data$cost, wide), labels = format_seconds, guide = plot_axis()
     ) +
     ggplot2::scale_y_log10(
-      limits = reach(data$error, max(1, 0.3 * diff(range(log10(data$error)))))
+      limits = reach(
+        data$error, max(1, 0.3 * diff(range(log10(data$error)))) * max(1, base_size / 15)
+      )
     ) +
     ggplot2::labs(
       title = wrap_title(

@@ -106,7 +106,7 @@ autoplot.rot_falling_weight <- function(object, ..., base_size = 13) {
   d$add(turn_arrow(0, 0, 1.16, 110, 50, 1, "torque"))
   d$say("r", -0.3, 0.13)
   d$say("m", -0.93, -1.55)
-  d$say("m*g", -0.36, -2.05)
+  d$say("m*g", -0.24, -2.05)
   d$say("tau", -0.96, 1)
   known <- function(x, unit) if (is.na(x)) "is fitted" else value_text(x, unit)
   mass <- object$mass_kg

@@ -2,10 +2,10 @@
 
 #' Plot a coupling, a brake, a rotor
 #'
-#' Of a brake and of a clutch the torque over time and, where it is largest, over the angular
-#' velocity (of a clutch the slip): dashed what it can hold at rest, where that differs. Shafts and
-#' gears are drawn between two rotors, with the sense of their rates. A rotor is a wheel on its axis
-#' in the axes of its body; the arrow is its angular velocity.
+#' Of a brake and of a clutch the torque against the motion over time and, where it is largest, over
+#' the angular velocity (of a clutch the slip): dashed what it can hold at rest, where that differs.
+#' Shafts and gears are drawn between two rotors, with the sense of their rates. A rotor is a wheel on
+#' its axis in the axes of its body; the arrow is its angular velocity.
 #'
 #' @param object A [brake()], a coupling ([coupling_clutch()], [coupling_shaft()],
 #'   [coupling_gear()]) or a [rotor()].
@@ -98,7 +98,11 @@ plot_friction <- function(object, title, over, base_size, call) {
     ) +
     ggplot2::geom_line(data = dots, colour = plot_colours[2], linetype = "13") +
     ggplot2::geom_point(data = dots, colour = plot_colours[2], size = 0.2 * base_size) +
-    ggplot2::facet_wrap("panel", scales = "free_x", ncol = 2) +
+    ggplot2::facet_wrap(
+      "panel", scales = "free_x", ncol = 2, labeller = ggplot2::as_labeller(function(text) {
+        vapply(text, wrap_label, "", size = 0.75 * base_size, width_in = 2.9)
+      })
+    ) +
     ggplot2::scale_linetype_manual(
       values = stats::setNames(c("solid", "42"), kinds), breaks = kinds[kinds %in% lines$kind],
       name = NULL, guide = if (ratio > 1) "legend" else "none"
@@ -107,7 +111,7 @@ plot_friction <- function(object, title, over, base_size, call) {
     ggplot2::scale_y_continuous(breaks = plot_breaks(base_size)) +
     ggplot2::labs(
       title = wrap_title(title, base_size), subtitle = wrap_subtitle(words, base_size),
-      x = NULL, y = "torque against the motion (N m)",
+      x = NULL, y = "torque (N m)",
       alt = paste0(
         title, ": ", words, ". Lines of its torque over time, at most ",
         format_si(signif(highest, 4)), " N m, and over the ", over, "; dots at ",

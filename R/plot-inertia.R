@@ -50,7 +50,7 @@ autoplot.rot_inertia_tensor <- function(object, ..., base_size = 13) {
     ) +
     ggplot2::geom_text(
       ggplot2::aes(label = .data$text), colour = plot_ink, nudge_y = -0.12,
-      size = 1.5 * text_size(base_size)
+      size = 1.4 * text_size(min(base_size, 17))
     ) +
     # Pale at both ends, for dark letters.
     ggplot2::scale_fill_gradient2(

@@ -45,7 +45,7 @@ autoplot.rot_mesh_check <- function(object, ..., base_size = 13) {
     ) +
     ggplot2::geom_text(
       ggplot2::aes(label = .data$text), hjust = 0, nudge_x = 0.04, colour = plot_ink,
-      fontface = ifelse(verdict == "fails", "bold", "plain"), size = text_size(base_size)
+      fontface = ifelse(verdict == "fails", "bold", "plain"), size = text_size(min(base_size, 15))
     ) +
     ggplot2::scale_colour_manual(
       values = stats::setNames(c(plot_colours[c(3, 2)], "grey55"), known), name = NULL

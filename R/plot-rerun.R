@@ -55,7 +55,7 @@ autoplot.rot_rerun <- function(object, ..., base_size = 13) {
     ggplot2::scale_x_continuous(limits = c(0, 2), breaks = c(0, 0.5, 1, 1.5, 2)) +
     ggplot2::labs(
       title = wrap_title(title, base_size), subtitle = wrap_subtitle(said, base_size),
-      x = "difference over what the errors allow", y = NULL,
+      x = wrap_text("difference over what the errors allow", 0.8 * base_size, 3.5), y = NULL,
       alt = paste0(
         title, "; ", said, ". ", sum(rows$fits), " of ", nrow(rows),
         " quantities are within what the errors allow."
