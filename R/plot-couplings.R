@@ -4,8 +4,8 @@
 #'
 #' Of a brake and of a clutch the torque against the motion over time and, where it is largest, over
 #' the angular velocity (of a clutch the slip): dashed what it can hold at rest, where that differs.
-#' Shafts and gears are drawn between two rotors, with the sense of their rates. A rotor is a wheel on
-#' its axis in the axes of its body; the arrow is its angular velocity.
+#' Shafts and gears are drawn between two rotors, with the sense of their rates. A rotor is a wheel
+#' on its axis in the axes of its body; the arrow is its angular velocity.
 #'
 #' @param object A [brake()], a coupling ([coupling_clutch()], [coupling_shaft()],
 #'   [coupling_gear()]) or a [rotor()].
