@@ -356,7 +356,7 @@ write_gallery <- function(pattern, folder = "gallery") {
   })
   rows <- do.call(rbind, rows)
   writeLines(sheet(rows), file.path(folder, "index.html"), useBytes = TRUE)
-  cat(nrow(rows), "pictures in ", folder, "/, on one sheet in ", folder, "/index.html\n", sep = "")
+  cat(nrow(rows), " pictures in ", folder, "/, on one sheet in ", folder, "/index.html\n", sep = "")
 }
 
 if (sys.nframe() == 0L) {
