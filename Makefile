@@ -1,7 +1,7 @@
 # The developer's verbs. Each is a script in tools/ that can be run by itself. GNU make.
 
 .DEFAULT_GOAL := help
-.PHONY: help demo test core snapshots bench document format objects
+.PHONY: help demo gallery test core snapshots bench document format objects
 .PHONY: check-valgrind check-databases check-nosuggests check-manual check-coverage check-fuzz check-fuzz-sanitized
 .PHONY: map check-animations check-damage check-interrupt check-lessons check-long check-measurement check-mutants check-scenes library examples
 
@@ -12,6 +12,10 @@ demo: ## install what is missing and the package, run the main job, pictures in 
 	@sh tools/setup.sh demo
 	@sh tools/install.sh
 	@Rscript tools/demo.R
+
+gallery: ## every picture as PNG in gallery/, with a sheet of all, gallery/index.html
+	@sh tools/install.sh --no-build-vignettes
+	@Rscript tools/gallery.R
 
 test: ## install what is missing, then run every check
 	@sh tools/run-tests.sh

@@ -193,7 +193,7 @@ autoplot.rot_animation <- function(object, ..., time_s = NULL, base_size = 13) {
   if (is.null(labels)) labels <- label_at(character(), double(), double())
   draw(
     list(
-      marks = frame$marks, labels = labels, quantities = key, limits = film$box,
+      marks = frame$marks, labels = labels, quantities = key, limits = film$box, clip = "on",
       note = paste0(
         "t = ", formatC(film$time_s[i], format = "f", digits = film_time_digits(film)), " s",
         if (nzchar(frame$says)) paste0(": ", frame$says)

@@ -8,8 +8,10 @@ axle_constraint <- function() {
       scene_gears = gears_maker()
     ),
     title = function(run) {
+      laws <- torque_loads(axle_torque(run$scene))$terms
+      hangs <- any(vapply(laws, function(term) term$kind == "gravity", NA))
       paste0(
-        sentence(scene_body(run$scene)),
+        if (hangs) "A pendulum: ", (if (hangs) identity else sentence)(scene_body(run$scene)),
         if (!is.null(changing_inertia(run$scene))) " whose moment of inertia changes,",
         " on a fixed axle"
       )

@@ -9,6 +9,7 @@ equations_constraint <- function() {
       requires = "a right-hand side"
     ),
     title = function(run) paste("Equations of", and_words(shown_states(run$scene))),
+    drawing = draw_equations,
     columns = "time_s", keys = "time_s", measures = list(), more_names = NULL,
     of_scene = equations_of_scene, fault = equations_fault,
     form = list(
@@ -110,6 +111,33 @@ abort_no_closed_form <- function(what, remedy, call) {
   abort_rotdyn(c(
     paste0("No closed form of the ", what, " follows from equations of one's own."), i = remedy
   ), "model", call)
+}
+
+# The loop of a solver: the right-hand side, its integral, and the states back to it.
+draw_equations <- function(scene) {
+  d <- new_drawing()
+  d$add(mark("fill", draw_box(-0.65, 0.3, 0.9, 0.6), "body"))
+  d$add(mark("fill", draw_box(0.75, 0.3, 0.9, 0.6), "body"))
+  d$add(mark("arrow", rbind(c(-0.2, 0.3), c(0.3, 0.3)), "speed"))
+  back <- rbind(c(1.2, 0.3), c(1.5, 0.3), c(1.5, -0.5), c(-1.5, -0.5), c(-1.5, 0.3), c(-1.1, 0.3))
+  d$add(mark("arrow", back, "speed"))
+  d$say("f", -0.65, 0.3)
+  d$say("integral()", 0.75, 0.3)
+  d$say("dot(y)", 0.05, 0.5)
+  d$say("y", 1.37, 0.5)
+  d$key(quantity("f", "right-hand side f(t, y)", ""))
+  d$key(quantity("integral()", "the integrator", ""))
+  d$key(quantity("dot(y)", "rates of the states", "", "speed"))
+  d$key(quantity("y", "states", "", "speed"))
+  for (name in names(scene$start)) {
+    d$key(quantity("", paste0(without_unit(name), " at start"), value_text(
+      scene$start[[name]], sub("^1$", "", unit_of_name(name))
+    )))
+  }
+  if (length(scene$conserved)) {
+    d$key(quantity("", "conserved", toString(gsub("_", " ", names(scene$conserved)))))
+  }
+  d$done(c(-1.65, 1.65, -1.1, 1.1))
 }
 
 # ---- calls --------------------------------------------------------------------------------------

@@ -62,6 +62,8 @@ draw_hanging <- function(scene, down = NULL, tension = tensions_of(start_row(sce
   d <- new_drawing()
   for (one in look$marks) d$add(one)
   if (drawn < 0.95 * look$reach) d$add(mark("line", draw_circle(0, 0, drawn), "spring"))
+  d$add(mark("line", rbind(c(0, 0), c(-drawn, 0)), "shaft"))
+  d$say("r[1]", -drawn / 2, 0.12)
   d$add(mark("fill", draw_circle(0, 0, 0.05), "shaft"))
   both <- masses[2] > 0
   # The cube of the side shows the mass.
@@ -102,7 +104,11 @@ draw_hanging <- function(scene, down = NULL, tension = tensions_of(start_row(sce
   # The rope lies on the upper half of its wheel.
   if (both) d$add(mark("line", draw_arc(0, 0, drawn, 0, 180), "spring"))
   at_rim <- isTRUE(all.equal(look$radius, scene$radius_m))
-  if (inherits(scene$body, "rot_body")) d$keys(size_quantities(scene$body, if (at_rim) 0L else 1L))
+  if (inherits(scene$body, "rot_body")) {
+    sizes <- size_quantities(scene$body, if (at_rim) 0L else 1L)
+    sizes$name[1] <- "mass of the pulley"
+    d$keys(sizes)
+  }
   if (is.null(down)) {
     draw_start(d, scene, look$reach)
   } else {
@@ -368,14 +374,10 @@ draw_pendulum <- function(scene) {
   }
   draw_resistance(d, axle_resistance(scene), 0.12, away = c(0.18 * side, -0.16))
   top <- max(0.4, at[2] + unit * size, if (cos(swing) < 0.2) 1.4, if (!is.null(driven)) 0.85)
-  out <- d$done(c(-1.35, 1.35, -1.55, top + 0.1))
-  out$title <- if (inherits(body, "rot_body")) {
-    paste(sentence(with_article(body$shape)), "as a pendulum")
-  } else {
-    "A pendulum"
-  }
-  if (is.null(flat)) out$note <- "not to scale" else out$note <- "the body to scale"
-  out
+  d$done(
+    c(-1.35, 1.35, -1.55, top + 0.1),
+    if (is.null(flat)) "not to scale" else "the body to scale"
+  )
 }
 
 # Arms with masses at the radius of gyration, before and after.

@@ -2,7 +2,25 @@
 draw_chain <- function(scene, theta = scene$theta0_rad) {
   d <- new_drawing()
   n <- length(scene$length_m)
-  for (one in chain_marks(scene, rep_len(theta, n))) d$add(one)
+  theta <- rep_len(theta, n)
+  at <- chain_places(scene, theta)
+  # Angles from the vertical through the upper end of each link.
+  if (n <= 4L) {
+    for (i in seq_len(n)) {
+      long <- 0.35 * scene$length_m[i] / sum(scene$length_m)
+      down <- rbind(at[i, ], at[i, ] - c(0, 1.5 * long))
+      d$add(mark("line", down, "dashed"))
+      d$add(mark("line", draw_arc(
+        at[i, 1], at[i, 2], long, -90, -90 + theta[i] * 180 / pi
+      ), "resistance"))
+      half <- theta[i] / 2
+      if (abs(theta[i]) > 0.1) {
+        d$say(if (n == 1L) "theta" else paste0("theta[", i, "]"),
+              at[i, 1] + (long + 0.06) * sin(half), at[i, 2] - (long + 0.06) * cos(half))
+      }
+    }
+  }
+  for (one in chain_marks(scene, theta)) d$add(one)
   shown <- function(x, unit) {
     if (length(unique(x)) == 1L) x <- x[1]
     more <- if (length(x) > 4L) ", ..."
@@ -11,12 +29,12 @@ draw_chain <- function(scene, theta = scene$theta0_rad) {
   d$key(quantity("l", "lengths", shown(scene$length_m, "m")))
   what <- if (scene$links == "rods") "masses of the rods" else "masses at the ends"
   d$key(quantity("m", what, shown(scene$mass_kg, "kg"), "weight"))
-  d$key(quantity("theta", "angles at start", shown(scene$theta0_rad, "rad"), "resistance"))
+  symbol <- if (n == 1L) "theta" else "theta[i]"
+  d$key(quantity(symbol, "angles at start", shown(scene$theta0_rad, "rad"), "resistance"))
   d$key(quantity("omega[0]", "rates at start", shown(scene$omega0_rad_per_s, "rad/s"), "speed"))
   if (any(scene$resistance > 0)) {
     d$key(quantity("c", "viscous joints", shown(scene$resistance, "N m s"), "resistance"))
   }
-  at <- chain_places(scene, rep_len(theta, n))
   half <- max(0.4, 0.15 + diff(range(at[, 1])) / 2, 0.15 + diff(range(at[, 2])) / 2)
   middle <- c(mean(range(at[, 1])), mean(range(at[, 2])))
   d$done(c(middle[1] + c(-half, half), middle[2] + c(-half, half)), "to scale")

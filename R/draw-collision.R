@@ -123,9 +123,11 @@ autoplot.rot_collision <- function(object, ..., row = 1, base_size = 13) {
     ggplot2::scale_colour_manual(
       values = stats::setNames(plot_colours[c(1, 2)][seq_along(names)], names), name = NULL
     ) +
-    ggplot2::scale_x_continuous(breaks = plot_breaks(base_size), guide = plot_axis()) +
-    ggplot2::scale_y_continuous(breaks = plot_breaks(base_size)) +
+    ggplot2::scale_x_continuous(breaks = plot_breaks(base_size, 4), guide = plot_axis()) +
+    ggplot2::scale_y_continuous(breaks = plot_breaks(base_size), guide = plot_axis()) +
     ggplot2::labs(
+      title = wrap_title(paste(sentence(and_words(names)), if (length(names) > 1L) "collide" else
+        "bounces"), base_size),
       x = paste(letters[1], "from the contact (m)"), y = paste(letters[2], "(m)"),
       caption = wrap_text(
         "Arrows: velocities, in one scale. Angular velocities: positive counter-clockwise.",

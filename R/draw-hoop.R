@@ -15,7 +15,11 @@ draw_hoop <- function(scene, theta = scene$theta0_rad) {
     d$add(mark("arrow", cbind(0.3 * cos(arc), 1.3 + 0.1 * sin(arc)), "speed"))
     d$say("Omega", 0.45, 1.3)
   }
-  d$say("theta", 0.45 * sin(theta / 2) + 0.07, -0.45 * cos(theta / 2))
+  # There is no room between the lines of a small angle.
+  small <- abs(sin(theta)) < 0.4
+  side <- if (theta < 0) -1 else 1
+  d$say("theta", if (small) 0.45 * sin(theta) + 0.12 * side else 0.45 * sin(theta / 2) + 0.07,
+        -0.45 * cos(if (small) theta else theta / 2))
   weight <- scene$mass_kg * scene$gravity_m_per_s2
   if (weight > 0) d$say("m*g", at[1] + 0.2, at[2] - 0.4)
   d$key(quantity("R", "radius of the hoop", value_text(scene$radius_m, "m")))

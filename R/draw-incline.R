@@ -35,8 +35,9 @@ incline_body <- function(d, scene, centre, r, angle, forces, unit) {
     tip <- from + long * direction
     d$add(mark("arrow", rbind(from, tip), style))
     beside <- sign(side) * c(-direction[2], direction[1])
-    d$say(symbol, tip[1] + 0.15 * beside[1] + 0.05 * sign(long) * direction[1],
-          tip[2] + 0.15 * beside[2] + 0.05 * sign(long) * direction[2])
+    beyond <- (if (style == "weight") -0.12 else 0.05) * sign(long) * direction
+    away <- if (style == "weight") 0.18 else 0.15
+    d$say(symbol, tip[1] + away * beside[1] + beyond[1], tip[2] + away * beside[2] + beyond[2])
   }
   arrow(centre, c(0, -1), forces[["weight"]], "m*g", "weight", -1)
   arrow(contact, out, forces[["normal"]], "N", "torque", 1)
@@ -65,7 +66,7 @@ draw_incline <- function(scene) {
   d$keys(size_quantities(scene$body))
   d$key(quantity("alpha", "incline", value_text(scene$incline_angle_deg, "degrees")))
   corner <- if (slope >= 0) ends[2, ] else ends[1, ]
-  d$say("alpha", corner[1] - sign(slope + (slope == 0)) * 0.4, corner[2] + 0.06)
+  if (slope != 0) d$say("alpha", corner[1] - sign(slope) * 0.4, corner[2] + 0.06)
   force <- function(name, symbol, words, style) {
     if (isTRUE(forces[[name]] != 0)) {
       d$key(quantity(symbol, words, value_text(abs(forces[[name]]), "N"), style))
@@ -76,7 +77,8 @@ draw_incline <- function(scene) {
   force("friction", "F[f]", "friction at start", "resistance")
   force("applied", "F", "force", "spring")
   if (scene$v0_m_per_s != 0) {
-    from <- centre + (r + 0.12) * out
+    # Beside the tip of the normal force.
+    from <- centre + (r + 0.12) * out + 0.12 * sign(scene$v0_m_per_s) * along
     tip <- from + 0.5 * sign(scene$v0_m_per_s) * along
     d$add(mark("arrow", rbind(from, tip), "speed"))
     d$say("v[0]", tip[1], tip[2] + 0.14)

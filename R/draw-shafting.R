@@ -29,11 +29,19 @@ draw_shafting <- function(scene, inertia, couplings, more = NULL, clutch_labels 
       down <- if (y[i] < 0) 1 else -1
       y[i + 1L] <- y[i] + down * sum(r)
       add(
-        mark("line", rbind(c(from, y[i]), c(middle, y[i])), "body"),
+        # The shaft of a coupling with a ratio is before its gears.
+        if (kind == "spring" && stiff[i] > 0) {
+          mark("line", draw_spring(from, middle, y[i], 0.08, 3L), "spring")
+        } else {
+          mark("line", rbind(c(from, y[i]), c(middle, y[i])), "body")
+        },
         mark("line", rbind(c(middle, y[i + 1L]), c(to, y[i + 1L])), "body"),
         mark("fill", draw_box(middle, y[i], 0.14, 2 * r[1]), "shaft"),
         mark("fill", draw_box(middle, y[i + 1L], 0.14, 2 * r[2]), "shaft")
       )
+      if (kind == "spring" && stiff[i] > 0 && few) {
+        say(name("k", i), (from + middle) / 2, y[i] + 0.24)
+      }
     } else if (kind %in% c("clutch", "locked")) {
       gap <- if (kind == "clutch") 0.09 else 0.05
       add(
@@ -77,14 +85,17 @@ draw_shafting <- function(scene, inertia, couplings, more = NULL, clutch_labels 
     }
     rate <- if (is.numeric(omega)) rep_len(omega, n)[i] else 0
     if (rate != 0) {
-      add(turn_arrow(x[i], y[i] - height[i] - 0.05, 0.28, 200, 140, rate, "speed"))
-      if (few) say(name("omega", i), x[i], y[i] - height[i] - 0.54)
+      # Below the brake and its arrow.
+      under <- y[i] - height[i] - if (brakes[i]) 0.4 else 0
+      add(turn_arrow(x[i], under - 0.05, 0.28, 200, 140, rate, "speed"))
+      if (few) say(name("omega", i), x[i], under - 0.54)
     }
   }
   list(
     marks = marks, labels = labels, quantities = rbind(shafting_quantities(scene, inertia), more),
     limits = c(
-      -0.5, max(x) + 0.5, min(y - height) - 0.75, max(y + height) + 0.75
+      -0.5, max(x) + 0.5, min(y - height) - if (any(brakes)) 1.15 else 0.75,
+      max(y + height) + 0.75
     ),
     note = "from the side, not to scale"
   )

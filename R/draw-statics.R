@@ -1,8 +1,8 @@
 #' Free-body drawing
 #'
-#' The body with all forces on it: loads, and the reactions of the supports. The lengths of the
-#' arrows grow with the forces; small ones are drawn longer, so that they are seen. A load along a
-#' line is arrows along it, as high as it is there. Dashed arrows are the normals of surfaces and
+#' The body with all forces on it: loads, and the reactions of the supports. The arrows are to
+#' scale; forces below a fifth of the largest are drawn longer, so that they are seen. A load along
+#' a line is arrows along it, as high as it is there. Dashed arrows are the normals of surfaces and
 #' rollers. A body in space is drawn in oblique projection, with x to the right, z up and y into the
 #' page; on supports below its loads it has a plate and legs, unless it has an outline.
 #'
@@ -110,7 +110,8 @@ draw_statics <- function(rest) {
       p <- place(at[i, , drop = FALSE])
       p[1] <- p[1] + 0.07 * twin
       draw_force(d, p, forces[i, ], sizes[i] / largest, symbol, style[i], plane,
-                 style[i] == "torque" && pushes(rest, i - n, forces[i, ], at[i, ], centre))
+                 style[i] == "torque" && pushes(rest, i - n, forces[i, ], at[i, ], centre),
+                 place(at[sizes > slack, , drop = FALSE]))
       d$key(quantity(symbol, names[i], force_text(forces[i, ], sizes[i], plane), style[i]))
     }
     if (i > n && !is.na(normal[1, i - n])) {
@@ -135,8 +136,9 @@ draw_statics <- function(rest) {
   ends <- do.call(rbind, lapply(drawn$marks, function(one) one$points))
   box <- apply(rbind(ends, middle), 2L, range)
   note <- c(
-    if (plane) "Arrows: longer for larger forces." else
-      "Oblique: x to the right, z up, y into the page. Arrows: longer for larger forces.",
+    if (!plane) "Oblique: x to the right, z up, y into the page.",
+    if (any(sizes > slack & sizes < 0.2 * largest)) "Arrows to scale, but for small forces." else
+      "Arrows to scale.",
     if (any(!rest$determined)) "Reactions that equilibrium does not determine: minimum norm."
   )
   d$done(c(box[1, 1] - 0.25, box[2, 1] + 0.25, box[1, 2] - 0.18, box[2, 2] + 0.2),
@@ -201,18 +203,22 @@ pushes <- function(rest, i, force, at, centre) {
   !(sum(out * force) > 0.3 * length_of(out) * length_of(force))
 }
 
-# A force of the share of the largest; its arrow ends or begins at the point.
-draw_force <- function(d, point, force, share, symbol, style, plane, ends) {
+# A force of the share of the largest; its arrow ends or begins at the point. The symbol is on the
+# side where no other of the `points` is near.
+draw_force <- function(d, point, force, share, symbol, style, plane, ends,
+                       points = rbind(point)) {
   direction <- flatten_points(rbind(force / length_of(force)), plane)
   if (length_of(direction) < 0.05) direction <- cbind(0.05, 0.05)
   direction <- direction / length_of(direction)
-  tip <- (0.3 + 0.45 * share) * direction
+  tip <- 0.75 * max(share, 0.2) * direction
   from <- if (ends) point - tip else point
   to <- from + tip
   d$add(mark("arrow", rbind(from, to), style))
   outer <- if (ends) from else to
   side <- 0.17 * c(-direction[2], direction[1])
   if (side[1] < 0 || (side[1] == 0 && side[2] < 0)) side <- -side
+  beside <- (points - rep(point, each = nrow(points))) %*% side / 0.17
+  if (any(beside > 0.02 & beside < 0.35) && !any(beside < -0.02 & beside > -0.35)) side <- -side
   d$say(symbol, outer[1] + side[1], outer[2] + side[2])
 }
 

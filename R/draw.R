@@ -129,7 +129,8 @@ draw <- function(drawing, title, base_size) {
       ncol = if (beside) 1L else legend_columns(text, base_size), byrow = TRUE,
       override.aes = list(label = key$symbol, size = 1.4 * key_size / (72.27 / 25.4))
     )) +
-    ggplot2::coord_fixed(xlim = box[1:2], ylim = box[3:4], expand = FALSE, clip = "off") +
+    ggplot2::coord_fixed(xlim = box[1:2], ylim = box[3:4], expand = FALSE,
+                        clip = drawing$clip %||% "off") +
     ggplot2::labs(
       title = wrap_title(title, base_size), x = NULL, y = NULL,
       caption = if (!is.null(drawing$note)) wrap_text(drawing$note, 0.7 * base_size),

@@ -2,7 +2,7 @@
 #'
 #' A bar for each term of each balance: what was supplied is added from 0 on, what was dissipated is
 #' taken away, and the change begins at 0 again: where a motion balances, it ends where the last of
-#' the others ends. Terms of 0 are left out.
+#' the others ends. Terms of 0 and balances that have nothing but rounding are left out.
 #'
 #' @param object A `rot_audit`, from [audit()].
 #' @inheritParams autoplot.rot_trajectory
@@ -30,6 +30,18 @@ autoplot.rot_audit <- function(object, ..., base_size = 13) {
   if (is.null(drawn)) {
     abort_rotdyn("There is no balance to draw: no rows, or no values.", "value", call)
   }
+  for (name in unique(drawn$panel)) {
+    here <- drawn$panel == name
+    power <- power_of(c(drawn$from[here], drawn$to[here]))
+    if (!grepl(")", name, fixed = TRUE)) next
+    drawn[here, c("from", "to")] <- drawn[here, c("from", "to")] / 10^power
+    drawn$panel[here] <- label_in_power(name, power)
+  }
+  # Balances without a bar are named, unless there are no others.
+  empty <- tapply(drawn$from != drawn$to, drawn$panel, any)
+  empty <- unique(drawn$panel)[!empty[unique(drawn$panel)]]
+  still <- length(empty) == length(unique(drawn$panel))
+  if (!still) drawn <- drawn[!drawn$panel %in% empty, ]
   label_in <- function(size) {
     vapply(seq_len(nrow(drawn)), function(i) {
       one <- paste0(drawn$term[i], ", ", drawn$value_text[i])
@@ -68,15 +80,33 @@ autoplot.rot_audit <- function(object, ..., base_size = 13) {
       })
     ) +
     ggplot2::scale_y_discrete(labels = stats::setNames(drawn$label, drawn$row)) +
-    ggplot2::scale_x_continuous(breaks = plot_breaks(base_size), guide = plot_axis()) +
-    ggplot2::scale_fill_manual(values = roles, breaks = names(roles), name = NULL) +
-    ggplot2::scale_colour_manual(values = roles, breaks = names(roles), name = NULL) +
+    (if (still) {
+      list(
+        ggplot2::scale_x_continuous(breaks = 0, limits = c(-1, 1)),
+        ggplot2::annotate(
+          "text", x = 0.03, y = 1, label = "0, but for rounding", hjust = 0, colour = plot_ink,
+          size = text_size(base_size)
+        )
+      )
+    } else {
+      ggplot2::scale_x_continuous(breaks = plot_breaks(base_size), guide = plot_axis())
+    }) +
+    ggplot2::scale_fill_manual(
+      values = roles, breaks = if (!still) names(roles), name = NULL
+    ) +
+    ggplot2::scale_colour_manual(
+      values = roles, breaks = if (!still) names(roles), name = NULL
+    ) +
     ggplot2::labs(
       title = wrap_title(paste("Audit:", verdict), base_size), x = NULL, y = NULL,
+      subtitle = if (length(empty) && !still) {
+        wrap_subtitle(paste0("0, but for rounding: ", toString(empty)), base_size)
+      },
       alt = paste0(
         "Bars of the terms of each balance, ", verdict, ". ",
         paste0(drawn$panel, ", ", drawn$role, ": ", drawn$term, " ", drawn$value_text,
-               collapse = "; "), "."
+               collapse = "; "), ".",
+        if (length(empty)) paste0(" Nothing but rounding: ", toString(empty), ".")
       )
     ) +
     plot_theme(base_size) +
@@ -88,7 +118,8 @@ autoplot.rot_audit <- function(object, ..., base_size = 13) {
 }
 
 audit_label <- function(object, i) {
-  paste0(gsub("_", " ", object$balance[i]), " (", object$unit[i], ")")
+  unit <- object$unit[i]
+  paste0(gsub("_", " ", object$balance[i]), if (unit != "1") paste0(" (", unit, ")"))
 }
 
 # From and to of each bar; NULL where the balance could not be drawn up.
@@ -106,6 +137,6 @@ balance_bars <- function(terms, unit, panel, rounding = 0) {
   to[change] <- cumsum(step[change])
   data.frame(
     panel = panel, term = kept$term, role = kept$role, from = to - step, to = to,
-    value_text = paste(format_si(signif(kept$value, 4)), unit)
+    value_text = trimws(paste(format_si(signif(kept$value, 4)), if (unit != "1") unit))
   )
 }

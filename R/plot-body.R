@@ -38,11 +38,10 @@
 autoplot.rot_body <- function(object, ..., base_size = 13) {
   call <- check_plot(base_size, ...)
   drawn <- body_drawing(object, call)
-  # Two rows of panels with the keys beside them, or one row above them where letters are large.
   wide <- base_size > 16
   axis_label <- function(axis) paste("axis", if (wide) substr(axis, 1L, 1L) else axis)
-  rows <- function(labels) if (wide) legend_columns(labels, base_size) else 1L
-  panel_in <- if (wide) 2.2 - 0.03 * base_size else 2.4 - 0.04 * base_size
+  rows <- function(labels) legend_columns(labels, base_size)
+  panel_in <- 2.2 - 0.03 * base_size
   colours <- stats::setNames(plot_colours[1:3], levels(drawn$axes$axis))
   ggplot2::ggplot(mapping = ggplot2::aes(.data$across, .data$up)) +
     ggplot2::geom_blank(data = drawn$frame) +
@@ -88,7 +87,7 @@ autoplot.rot_body <- function(object, ..., base_size = 13) {
       size = 3, colour = "grey10"
     ) +
     ggplot2::facet_wrap(
-      "panel", ncol = if (wide) 3 else 2, scales = "free",
+      "panel", ncol = 3, scales = "free",
       labeller = ggplot2::as_labeller(function(panel) {
         label <- paste0(panel, " (", drawn$unit$name, ")")
         vapply(label, wrap_label, "", size = 0.75 * base_size, width_in = panel_in)
@@ -133,9 +132,8 @@ autoplot.rot_body <- function(object, ..., base_size = 13) {
     plot_theme(base_size) +
     ggplot2::theme(
       aspect.ratio = 1,
-      legend.position = if (wide) "bottom" else "right",
       legend.box = "vertical",
-      legend.box.just = if (wide) "center" else "left",
+      legend.box.just = "center",
       legend.key.width = ggplot2::unit(1.3 * base_size, "pt"),
       panel.spacing.x = ggplot2::unit(0.5 * base_size, "pt")
     )

@@ -76,3 +76,47 @@ autoplot.rot_coast_fit <- function(object, ..., run = 1, base_size = 13) {
     ) +
     plot_theme(base_size)
 }
+
+#' Draw a falling weight
+#'
+#' A weight on the string of a drum, as it drives a coast-down: the force on it and the torque on
+#' the drum while the drum does not accelerate.
+#'
+#' @param object From [falling_weight()].
+#' @inheritParams autoplot.rot_trajectory
+#' @return A ggplot, with alternative text.
+#' @section Errors: `rotdyn_error_package` without ggplot2; `rotdyn_error_argument`,
+#'   `rotdyn_error_type`.
+#' @seealso [falling_weight()], [fit_coast_down()].
+#' @examplesIf requireNamespace("ggplot2", quietly = TRUE)
+#' ggplot2::autoplot(falling_weight(mass_kg = 0.5, radius_m = 0.02, until_s = 3))
+#' @exportS3Method ggplot2::autoplot
+#' @concept plot
+autoplot.rot_falling_weight <- function(object, ..., base_size = 13) {
+  call <- check_plot(base_size, ...)
+  check_form(object, falling_weight_form, "object", "falling weight", call)
+  d <- new_drawing()
+  d$add(mark("fill", draw_circle(0, 0, 1), "body"))
+  d$add(mark("fill", draw_circle(0, 0, 0.6), "shaft"))
+  d$add(mark("line", rbind(c(0, 0), c(-0.6, 0)), "body"))
+  d$add(mark("fill", draw_circle(0, 0, 0.06), "fixed"))
+  d$add(mark("line", rbind(c(-0.6, 0), c(-0.6, -1.4)), "spring"))
+  d$add(mark("fill", draw_box(-0.6, -1.55, 0.34, 0.3), "body"))
+  d$add(mark("arrow", rbind(c(-0.6, -1.55), c(-0.6, -2.15)), "weight"))
+  d$add(turn_arrow(0, 0, 1.16, 110, 50, 1, "torque"))
+  d$say("r", -0.3, 0.13)
+  d$say("m", -0.93, -1.55)
+  d$say("m*g", -0.24, -2.05)
+  d$say("tau", -0.96, 1)
+  known <- function(x, unit) if (is.na(x)) "is fitted" else value_text(x, unit)
+  mass <- object$mass_kg
+  weight <- mass * object$gravity_m_per_s2
+  d$key(quantity("m", "mass", known(mass, "kg")))
+  d$key(quantity("r", "radius of the drum", known(object$radius_m, "m")))
+  d$key(quantity("m*g", "weight", known(weight, "N"), "weight"))
+  d$key(quantity("tau", "torque, at most", known(weight * object$radius_m, "N m"), "torque"))
+  end <- object$until_s
+  d$key(quantity("", "pulls", if (is.na(end)) "until a time that is fitted" else
+    paste("until", value_text(end, "s"))))
+  draw(d$done(c(-1.5, 1.5, -2.3, 1.4), "not to scale"), "A falling weight on a drum", base_size)
+}

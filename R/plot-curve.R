@@ -79,3 +79,61 @@ track_of <- function(x, y, radius, direction) {
   long <- pmax(sqrt(dx^2 + dy^2), .Machine$double.xmin)
   data.frame(x = x + direction * radius * dy / long, y = y - direction * radius * dx / long)
 }
+
+#' Plot a curve
+#'
+#' The curve on which a body may roll, to scale, between two places.
+#'
+#' @param object From [curve_function()], [curve_path()], [curve_table()], [curve_circle()] or
+#'   [curve_cycloid()].
+#' @inheritParams autoplot.rot_trajectory
+#' @param from,to NULL, or the ends, as those of [roll_on_curve()]: by default the ends of a table,
+#'   a full turn of a circle or a cycloid, else -1 and 1.
+#' @return A ggplot, with alternative text.
+#' @section Errors: `rotdyn_error_package` without ggplot2; `rotdyn_error_argument`,
+#'   `rotdyn_error_type`, `rotdyn_error_value` for a curve that is not finite.
+#' @seealso [roll_on_curve()].
+#' @examplesIf requireNamespace("ggplot2", quietly = TRUE)
+#' ggplot2::autoplot(curve_cycloid(1))
+#' @exportS3Method ggplot2::autoplot
+#' @concept plot
+autoplot.rot_curve <- function(object, ..., from = NULL, to = NULL, base_size = 13) {
+  call <- check_plot(base_size, ...)
+  check_form(object, curve_form, "object", "curve", call)
+  ends <- if (length(object$knots) > 1L) {
+    range(object$knots)
+  } else if (grepl("circle", object$kind)) {
+    c(-pi, pi)
+  } else if (grepl("cycloid", object$kind)) {
+    c(0, 2 * pi)
+  } else {
+    c(-1, 1)
+  }
+  if (!is.null(from)) ends[1] <- check_number(from, "from", "1", call)
+  if (!is.null(to)) ends[2] <- check_number(to, "to", "1", call)
+  if (!(ends[1] < ends[2])) {
+    abort_rotdyn("{.arg to} must be greater than {.arg from}.", "value", call)
+  }
+  u <- seq(ends[1], ends[2], length.out = 601L)
+  line <- data.frame(x = as.double(object$x(u)), y = as.double(object$y(u)))
+  if (!all(is.finite(unlist(line)))) {
+    abort_rotdyn("The curve is not finite between {ends[1]} and {ends[2]}.", "value", call)
+  }
+  knots <- object$knots[object$knots >= ends[1] & object$knots <= ends[2]]
+  points <- data.frame(x = as.double(object$x(knots)), y = as.double(object$y(knots)))
+  title <- paste("A curve:", object$kind)
+  ggplot2::ggplot(line, ggplot2::aes(.data$x, .data$y)) +
+    ggplot2::geom_path(colour = plot_ink, linewidth = 0.09 * base_size) +
+    ggplot2::geom_point(data = points, colour = plot_colours[2], size = 0.2 * base_size) +
+    ggplot2::coord_equal() +
+    ggplot2::scale_x_continuous(breaks = plot_breaks(base_size), guide = plot_axis()) +
+    ggplot2::scale_y_continuous(breaks = plot_breaks(base_size), guide = plot_axis()) +
+    ggplot2::labs(
+      title = wrap_title(title, base_size), x = "x (m)", y = "y (m)",
+      alt = paste0(
+        title, ". It spans ", range_in_words(line$x), " m along x and ", range_in_words(line$y),
+        " m along y.", if (nrow(points)) paste0(" Dots: the ", nrow(points), " points of a table.")
+      )
+    ) +
+    plot_theme(base_size)
+}

@@ -106,7 +106,12 @@ draw_train <- function(train, scene = NULL, theta = NULL) {
     if (few) {
       d$say(paste0("I[", i, "]"), x, -max(reach) - 0.2)
       if (n > 1L) {
-        d$say(paste0("omega[", i, "]"), x, -max(0.5 * min(reach[i], 0.7), 0.2))
+        # Beside a small wheel, outside of its belt or mesh.
+        small <- reach[i] < 0.35
+        d$say(
+          paste0("omega[", i, "]"), x,
+          if (small) -reach[i] - 0.34 else -0.6 * min(reach[i], 0.7)
+        )
       }
     }
     if (isTRUE(torque[i] != 0)) {

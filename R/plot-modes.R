@@ -36,7 +36,8 @@ autoplot.rot_shaft_modes <- function(object, ..., modes = NULL, base_size = 13) 
       rotor = seq_len(n), value = shapes[, modes[k]], panel = factor(label[k], levels = label)
     )
   }))
-  cols <- if (length(modes) > 4L && base_size <= 16) 3L else if (length(modes) > 2L) 2L else 1L
+  cols <- if (length(modes) %in% c(3L, 5:9) && base_size <= 16) 3L else
+    if (length(modes) > 2L) 2L else 1L
   rotors <- if (n <= 8L) seq_len(n) else function(limits) {
     at <- unique(round(pretty(limits, 5)))
     at[at >= 1 & at <= n]

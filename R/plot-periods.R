@@ -90,3 +90,67 @@ autoplot.rot_pooled_periods <- function(object, ..., base_size = 13) {
     ) +
     plot_theme(base_size)
 }
+
+#' Plot pivots
+#'
+#' The periods of a pendulum over the distance of its pivots, and the period of the fitted radius of
+#' gyration and acceleration of gravity. Pivots left out are crosses.
+#'
+#' @param object From [fit_pivots()].
+#' @inheritParams autoplot.rot_trajectory
+#' @return A ggplot, with alternative text.
+#' @section Errors: `rotdyn_error_package` without ggplot2; `rotdyn_error_argument`,
+#'   `rotdyn_error_type`.
+#' @seealso [fit_pivots()].
+#' @examplesIf requireNamespace("ggplot2", quietly = TRUE)
+#' ggplot2::autoplot(fit_pivots(c(1.566, 1.526, 1.601, 1.568, 1.637), c(0.2, 0.3, 0.4, 0.16, 0.5)))
+#' @exportS3Method ggplot2::autoplot
+#' @concept plot
+#' @concept physical pendulum
+autoplot.rot_pivots <- function(object, ..., base_size = 13) {
+  call <- check_plot(base_size, ...)
+  pivots <- .subset2(object, "pivots")
+  k2 <- .subset2(object, "gyration_square_m2")
+  g <- .subset2(object, "gravity_m_per_s2")
+  fits <- is.data.frame(pivots) && is.numeric(pivots[["distance_m"]]) &&
+    is.numeric(pivots[["period_s"]]) && is.character(pivots[["status"]]) && nrow(pivots) > 0L
+  if (!fits) abort_form("pivots", "object", "fit of pivots", call)
+  check_measured(k2, "object$gyration_square_m2", call)
+  check_measured(g, "object$gravity_m_per_s2", call)
+  points <- data.frame(
+    x = pivots$distance_m, y = pivots$period_s, used = pivots$status == "used"
+  )
+  ends <- range(points$x)
+  d <- seq(max(ends[1] - 0.08 * diff(ends), 0.5 * ends[1]), ends[2] + 0.08 * diff(ends),
+           length.out = 201L)
+  line <- data.frame(x = d, y = 2 * pi * sqrt((k2$value + d^2) / (g$value * d)))
+  said <- paste0("k^2 = ", format(k2), " m^2, g = ", format(g), " m/s^2")
+  out <- points[!points$used, ]
+  ggplot2::ggplot(points, ggplot2::aes(.data$x, .data$y)) +
+    ggplot2::geom_line(data = line, colour = plot_colours[1], linewidth = 0.06 * base_size) +
+    ggplot2::geom_point(
+      ggplot2::aes(shape = .data$used, colour = .data$used), size = 0.25 * base_size, stroke = 1.2
+    ) +
+    ggplot2::scale_shape_manual(
+      values = c("TRUE" = 16, "FALSE" = 4), breaks = c("TRUE", "FALSE"),
+      labels = c("used", "left out"), name = NULL, guide = if (nrow(out)) "legend" else "none"
+    ) +
+    ggplot2::scale_colour_manual(
+      values = c("TRUE" = plot_ink, "FALSE" = plot_colours[2]), breaks = c("TRUE", "FALSE"),
+      labels = c("used", "left out"), name = NULL, guide = if (nrow(out)) "legend" else "none"
+    ) +
+    ggplot2::scale_x_continuous(breaks = plot_breaks(base_size), guide = plot_axis()) +
+    ggplot2::scale_y_continuous(breaks = plot_breaks(base_size)) +
+    ggplot2::labs(
+      title = wrap_title("Periods about several pivots, and the fit", base_size),
+      subtitle = wrap_subtitle(said, base_size), x = "distance from pivot to centre of mass (m)",
+      y = "period (s)",
+      alt = paste0(
+        nrow(points), " periods, ", range_in_words(points$y), " s, over distances of ",
+        range_in_words(points$x), " m, and a fitted line: ", said, ".", if (nrow(out)) paste0(
+          " Left out: the pivot at ", paste(format_si(signif(out$x, 4)), collapse = ", "), " m."
+        )
+      )
+    ) +
+    plot_theme(base_size)
+}

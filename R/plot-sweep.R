@@ -1,7 +1,7 @@
 #' Plot a table of spin-ups, of inclines
 #'
 #' The results of [spin_up_table()] or [incline_table()] over one of its parameters, a panel each; a
-#' second parameter distinguishes lines by colour.
+#' second parameter distinguishes lines by colour, a third one by their type.
 #'
 #' @param object A table from [spin_up_table()] or [incline_table()].
 #' @inheritParams autoplot.rot_trajectory
@@ -82,9 +82,17 @@ plot_table <- function(object, results, panels, x, colour, what, base_size, call
   if (!by_number) across <- factor(as.character(across), unique(as.character(across)))
   key <- if (is.null(colour)) rep(no_name, nrow(object)) else sweep_key(data[[colour]])
   key <- factor(key, unique(key[order(if (is.null(colour)) key else data[[colour]])]))
+  # A line for each set of the other parameters; a third one of few values has types of line.
+  others <- setdiff(given[vary], c(x, colour))
+  group <- do.call(paste, c(list(rep("", nrow(object))), unname(data[others])))
+  third <- others[distinct[others] <= 4L][1]
+  type <- if (is.na(third)) rep(no_name, nrow(object)) else sweep_key(data[[third]])
+  type <- factor(type, unique(type[order(if (is.na(third)) type else data[[third]])]))
+  types <- setdiff(levels(type), no_name)
   long <- do.call(rbind, lapply(panels, function(name) {
     data.frame(
-      across = across, value = as.double(data[[name]]), key = key, panel = column_label(name)
+      across = across, value = as.double(data[[name]]), key = key, type = type, group = group,
+      panel = column_label(name)
     )
   }))
   long <- long[is.finite(long$value), ]
@@ -94,7 +102,13 @@ plot_table <- function(object, results, panels, x, colour, what, base_size, call
   plot <- ggplot2::ggplot(long, ggplot2::aes(.data$across, .data$value, colour = .data$key))
   if (by_number && nrow(object) <= 5000L) {
     plot <- plot + ggplot2::geom_line(
-      ggplot2::aes(group = .data$key), linewidth = 0.05 * base_size
+      ggplot2::aes(linetype = .data$type, group = interaction(.data$key, .data$group)),
+      linewidth = 0.05 * base_size
+    ) + ggplot2::scale_linetype_manual(
+      values = stats::setNames(
+        rep_len(c("solid", "42", "13", "4213"), nlevels(type)), levels(type)
+      ), breaks = types, name = if (length(types)) column_label(third),
+      guide = if (length(types)) ggplot2::guide_legend(order = 2) else "none"
     )
   }
   plot +
@@ -137,12 +151,16 @@ plot_table <- function(object, results, panels, x, colour, what, base_size, call
       alt = paste0(
         nrow(object), " ", what, " over ", label, if (!is.null(colour)) {
           paste0(", coloured by ", column_label(colour))
-        }, ". ", paste(vapply(split(long, long$panel), function(one) {
+        }, if (length(types)) paste0(", types of line by ", column_label(third)),
+        ". ", paste(vapply(split(long, long$panel), function(one) {
           paste0(one$panel[1], ": ", range_in_words(one$value))
         }, ""), collapse = "; "), "."
       )
     ) +
-    plot_theme(base_size)
+    plot_theme(base_size) +
+    ggplot2::theme(legend.box = if (legends_fit(
+      list(colour, keys, if (length(types)) third, types), base_size
+    )) "horizontal" else "vertical")
 }
 
 sweep_key <- function(values) {

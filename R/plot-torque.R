@@ -164,3 +164,55 @@ law_grid <- function(laws, variable, range) {
   own <- own[own >= range[1] & own <= range[2]]
   sort(unique(c(even, own, pmax(own - 1e-9 * diff(range), range[1]))))
 }
+
+#' Plot a force
+#'
+#' A force over time; one of position and velocity, too, where both are 0.
+#'
+#' @param object From [force_function()].
+#' @inheritParams autoplot.rot_trajectory
+#' @param time_s NULL, or the times to draw: two numbers.
+#' @return A ggplot, with alternative text.
+#' @section Errors: `rotdyn_error_package` without ggplot2; `rotdyn_error_argument`,
+#'   `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` for a force that is not finite.
+#' @seealso [force_function()], [autoplot.rot_torque()].
+#' @examplesIf requireNamespace("ggplot2", quietly = TRUE)
+#' push <- force_function(function(time_s) if (time_s < 1) 20 else 0, breaks_s = 1)
+#' ggplot2::autoplot(push)
+#' @exportS3Method ggplot2::autoplot
+#' @concept plot
+autoplot.rot_force_function <- function(object, ..., time_s = NULL, base_size = 13) {
+  call <- check_plot(base_size, ...)
+  f <- .subset2(object, "f")
+  breaks <- .subset2(object, "breaks_s")
+  if (!is.function(f)) abort_form("f", "object", "force", call)
+  if (!is.null(breaks) && !is.numeric(breaks)) abort_form("breaks_s", "object", "force", call)
+  ends <- check_range(time_s, "time_s", "s", call) %||%
+    if (length(breaks)) range(breaks, 0, 1.25 * breaks) else c(0, 1)
+  own <- breaks[breaks > ends[1] & breaks < ends[2]]
+  at <- sort(unique(c(seq(ends[1], ends[2], length.out = 401L), own, own - 1e-9 * diff(ends))))
+  all <- count_law_arguments(f, function(n) abort_form("f", "object", "force", call)) == 3L
+  value <- vapply(at, function(t) {
+    one <- if (all) f(t, 0, 0) else f(t)
+    if (is.numeric(one) && length(one) == 1L) as.double(one) else NA_real_
+  }, double(1))
+  if (!all(is.finite(value))) {
+    abort_rotdyn("The force is not finite at {at[!is.finite(value)][1]} s.", "value", call)
+  }
+  ggplot2::ggplot(data.frame(at, value), ggplot2::aes(.data$at, .data$value)) +
+    ggplot2::geom_hline(yintercept = 0, colour = "grey80") +
+    ggplot2::geom_line(colour = plot_colours[2], linewidth = 0.06 * base_size) +
+    ggplot2::scale_x_continuous(breaks = plot_breaks(base_size), guide = plot_axis()) +
+    ggplot2::scale_y_continuous(breaks = plot_breaks(base_size), guide = plot_axis()) +
+    ggplot2::labs(
+      title = wrap_title("A force over time", base_size),
+      subtitle = if (all) wrap_subtitle("where position and velocity are 0", base_size),
+      x = "time (s)", y = "force (N)",
+      alt = paste0(
+        "A line of a force, ", range_in_words(value), " N, over time, ", range_in_words(at), " s",
+        if (length(own)) paste0(", with breaks at ", paste(format_si(own), collapse = ", "), " s"),
+        "."
+      )
+    ) +
+    plot_theme(base_size)
+}

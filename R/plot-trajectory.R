@@ -172,7 +172,9 @@ plot_runs <- function(parts, units, panels, base_size, call) {
   labels <- levels(long$panel)
   cols <- if (length(labels) > 4L) 3L else if (length(labels) > 3L) 2L else 1L
   plot <- ggplot2::ggplot(long, ggplot2::aes(.data$time_s, .data$value, colour = .data$key)) +
-    ggplot2::geom_hline(yintercept = 0, colour = "grey80")
+    ggplot2::geom_hline(
+      ggplot2::aes(yintercept = .data$value), panels_with_zero(long), colour = "grey80"
+    )
   few <- nrow(events$lines) <= 12L
   if (nrow(events$lines) && few) {
     plot <- plot + ggplot2::geom_vline(
@@ -185,7 +187,8 @@ plot_runs <- function(parts, units, panels, base_size, call) {
     ggplot2::aes(linetype = .data$line, group = interaction(.data$run, .data$line)),
     linewidth = 0.06 * base_size
   )
-  if (nrow(events$marks)) {
+  # As many marks would hide the line.
+  if (nrow(events$marks) && nrow(events$marks) <= 30L) {
     plot <- plot +
       ggplot2::geom_point(
         ggplot2::aes(shape = .data$event), events$marks, size = 0.2 * base_size, stroke = 1,
@@ -240,6 +243,30 @@ plot_runs <- function(parts, units, panels, base_size, call) {
       legend.box = if (legends_fit(list(shown, if (several) lines, levels(events$marks$event)),
                                    base_size)) "horizontal" else "vertical"
     )
+}
+
+# Zero is shown, except where a motion far from it would be a flat line.
+panels_with_zero <- function(long) {
+  far <- vapply(split(long$value, long$panel), function(value) {
+    ends <- range(value[is.finite(value)], 0)
+    own <- range(value[is.finite(value)])
+    span <- diff(own)
+    isTRUE(span > 1e-6 * max(abs(own)) && diff(ends) > 6 * span)
+  }, NA)
+  panels <- levels(long$panel)[!far]
+  data.frame(value = 0 * seq_along(panels), panel = factor(panels, levels(long$panel)))
+}
+
+# Values beyond those that axes show without exponents are in powers of 1000 of the unit.
+in_powers <- function(long) {
+  for (name in unique(long$panel)) {
+    here <- long$panel == name
+    power <- power_of(long$value[here])
+    if (power == 0 || !grepl("[(].*[)]$", name)) next
+    long$value[here] <- long$value[here] / 10^power
+    long$panel[here] <- label_in_power(name, power)
+  }
+  long
 }
 
 # The name of a line that needs none: a scale takes no empty name.
@@ -336,7 +363,7 @@ panel_lines <- function(parts, panels, constraint, units, drop_zero) {
   long <- do.call(rbind, unlist(lapply(panels, function(spec) {
     unlist(lapply(parts, one, spec), recursive = FALSE)
   }), recursive = FALSE))
-  if (drop_zero) long <- without_zero(long)
+  long <- in_powers(if (drop_zero) without_zero(long) else long)
   long$run[is.na(long$run)] <- ""
   long$line[long$line == ""] <- no_name
   for (name in c("panel", "line", "run")) {

@@ -144,6 +144,18 @@ in_plot_unit <- function(label, units) {
   )
 }
 
+# The power of 1000 in which an axis of these values has no exponents; 0 for usual values.
+power_of <- function(values) {
+  size <- max(abs(values), 0)
+  if (!isTRUE(is.finite(size) && size > 0 && (size < 1e-3 || size >= 1e5))) return(0)
+  3 * floor(log10(size) / 3)
+}
+
+# "angle (1e-6 rad)".
+label_in_power <- function(label, power) {
+  if (power == 0) label else sub("[(]([^(]*)$", paste0("(1e", power, " \\1"), label)
+}
+
 # "3, 1.5 to 7": the range of values in words.
 range_in_words <- function(x, digits = 3) {
   x <- x[is.finite(x)]

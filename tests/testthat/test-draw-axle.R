@@ -46,7 +46,6 @@ test_that("a pendulum hangs at its angle, with its weight and its distance to sc
   key <- look$quantities
   expect_equal(key$value[key$symbol == "m*g"], "0.9807 N")
   expect_equal(key$value[key$symbol == "d"], "0.5 m")
-  expect_equal(look$title, "A rod as a pendulum")
 })
 
 test_that("a law drawn otherwise is not a torque arrow", {

@@ -3,7 +3,7 @@ test_that("a chain is drawn from its pivot to its end", {
   places <- chain_places(chain, c(0.5, 2))
   expect_equal(places[3, ], c(sin(0.5) + 3 * sin(2), -cos(0.5) - 3 * cos(2)) / 4)
   drawing <- draw_chain(chain)
-  expect_true(all(c("l", "m", "theta", "omega[0]", "c") %in% drawing$quantities$symbol))
+  expect_true(all(c("l", "m", "theta[i]", "omega[0]", "c") %in% drawing$quantities$symbol))
   skip_if_not_installed("ggplot2")
   expect_match(ggplot2::autoplot(chain)$labels$alt, "lengths 1, 3 m")
   rods <- scene_chain(c(1, 3), 1, c(0.5, 2))
@@ -25,4 +25,17 @@ test_that("the picture of a chain holds all of it, whichever way it hangs", {
     expect_true(all(limits[1] <= places[, 1] - 0.1 & places[, 1] + 0.1 <= limits[2]))
     expect_true(all(limits[3] <= places[, 2] - 0.1 & places[, 2] + 0.1 <= limits[4]))
   }
+})
+
+test_that("angles are drawn from the vertical to each link", {
+  theta <- c(0.5, -1)
+  drawing <- draw_chain(scene_chain(c(1, 3), 1, theta))
+  arcs <- Filter(function(one) one$style == "resistance", drawing$marks)
+  expect_length(arcs, 2)
+  at <- chain_places(scene_chain(c(1, 3), 1, theta), theta)
+  for (i in 1:2) {
+    ends <- arcs[[i]]$points[c(1, 61), ] - rep(at[i, ], each = 2)
+    expect_equal(atan2(ends[, 1], -ends[, 2]), c(0, theta[i]))
+  }
+  expect_true(all(c("theta[1]", "theta[2]") %in% drawing$labels$symbol))
 })

@@ -49,3 +49,14 @@ test_that("a drive shows its clutches and brakes", {
   terms <- audit(trajectory(drive, c(0, 0.1)))$terms[[1]]$term
   expect_true("work of the torques" %in% terms)
 })
+
+test_that("the rate of a braked rotor is below its brake, a shaft with gears has its spring", {
+  scene <- scene_drive(
+    c(1, 2), coupling_shaft(100, ratio = 4), brake = list(NULL, brake(3)), omega0_rad_per_s = 1
+  )
+  drawing <- chain(scene)
+  at <- function(symbol) drawing$labels$y[drawing$labels$symbol == symbol]
+  expect_lt(at("omega[2]"), at("B[2]") - 0.3)
+  expect_gt(at("omega[2]"), drawing$limits[3])
+  expect_true("k[1]" %in% drawing$labels$symbol)
+})

@@ -164,3 +164,17 @@ test_that("loads at one point stand beside each other", {
                  drawn_rest(rest)$marks)
   expect_equal(down[[2]]$points[1, 1] - down[[1]]$points[1, 1], 0.07)
 })
+
+test_that("arrows are to scale, but for small forces", {
+  rest <- static_equilibrium(
+    forces(load_force(c(0, -10), c(1, 0)), load_force(c(0, -0.1), c(1.5, 0))),
+    list(support_pin(c(0, 0)), support_roller(c(2, 0), c(0, 1)))
+  )
+  long <- function(drawing) {
+    marks <- Filter(function(one) one$type == "arrow" && one$style != "dashed", drawing$marks)
+    vapply(marks, function(one) sqrt(sum(diff(one$points)^2)), 0)
+  }
+  drawing <- drawing_of(rest)
+  expect_equal(long(drawing), 0.75 * c(1, 0.2, 0.5025, 0.5075))
+  expect_match(drawing$note, "to scale, but for small forces")
+})

@@ -67,3 +67,16 @@ test_that("what is rounding is no bar", {
   expect_equal(balance_bars(terms, "J", "energy")$term, c("work", "change"))
   expect_equal(balance_bars(terms, "J", "energy", 3)$to, 0)
 })
+
+test_that("balances of nothing but rounding are named beside those with bars", {
+  a <- audit(trajectory(scene_free(c(1, 2, 3), c(0.1, 4, 0.1), torque = c(0, 0, 1)), 0:3))
+  plot <- ggplot2::autoplot(a)
+  expect_true(all(tapply(plot$data$from != plot$data$to, as.character(plot$data$panel), any)))
+  expect_match(plot$labels$subtitle, "0, but for rounding: quaternion norm")
+  expect_match(plot$labels$alt, "Nothing but rounding: quaternion norm")
+  small <- audit(trajectory(scene_pendulum(body_rod(0.1, 1), 0.5, theta0_rad = 1e-5), 0:5))
+  plot <- ggplot2::autoplot(small)
+  expect_equal(levels(plot$data$panel)[1], "energy (1e-12 J)")
+  terms <- small$terms[[1]]
+  expect_equal(plot$data$to[1], 1e12 * terms$value[terms$value != 0][1])
+})

@@ -60,3 +60,16 @@ test_that("with a moment of inertia the last panel is a torque; runs are chosen"
   expect_lt(max(abs(torque$y - 0.5 * (0.4 + 0.1 * torque$x))), 0.03)
   expect_error(ggplot2::autoplot(fit, run = 2), class = "rotdyn_error_value")
 })
+
+test_that("a falling weight is drawn with its torque, what is fitted is said", {
+  plot <- ggplot2::autoplot(falling_weight(0.5, 0.02, until_s = 3, gravity_m_per_s2 = 10))
+  expect_match(plot$labels$alt, "weight 5 N; torque, at most 0.1 N m; pulls until 3 s")
+  expect_match(
+    ggplot2::autoplot(falling_weight(NA, 0.02))$labels$alt,
+    "mass is fitted.*weight is fitted.*until a time that is fitted"
+  )
+  bad <- falling_weight(0.5, 0.02)
+  bad$radius_m <- "x"
+  expect_error(ggplot2::autoplot(bad), class = "rotdyn_error_type")
+  expect_error(ggplot2::autoplot(falling_weight(1, 1), 2), class = "rotdyn_error_argument")
+})

@@ -27,3 +27,22 @@ test_that("the track lies a radius beside the path, on the side of the curve", {
   expect_equal(hill$y, rep(0.9, 5))
   expect_equal(track_of(4:0, rep(1, 5), 0.1, -1)$y, rep(0.9, 5))
 })
+
+test_that("a curve is drawn between its ends", {
+  plot <- ggplot2::autoplot(curve_cycloid(1))
+  expect_equal(range(plot$data$x), c(0, 2 * pi))
+  expect_equal(range(plot$data$y), c(-2, 0))
+  circle <- ggplot2::autoplot(curve_circle(0.5))
+  expect_equal(range(circle$data$x), c(-0.5, 0.5), tolerance = 1e-4)
+  table <- curve_table(x_m = 0:4, y_m = c(2, 1.1, 0.6, 0.8, 0.4))
+  plot <- ggplot2::autoplot(table)
+  expect_equal(ggplot2::layer_data(plot, 2)$y, c(2, 1.1, 0.6, 0.8, 0.4))
+  expect_match(plot$labels$alt, "0 to 4 m along x.*5 points of a table")
+  parabola <- ggplot2::autoplot(curve_function(function(x) x^2), from = 1, to = 3)
+  expect_equal(parabola$data$y, parabola$data$x^2)
+  expect_error(ggplot2::autoplot(table, from = 3, to = 1), class = "rotdyn_error_value")
+  bad <- table
+  bad$knots <- "x"
+  expect_error(ggplot2::autoplot(bad), class = "rotdyn_error_type")
+  expect_error(ggplot2::autoplot(table, 2), class = "rotdyn_error_argument")
+})

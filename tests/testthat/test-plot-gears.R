@@ -74,3 +74,9 @@ test_that("teeth mesh: a tooth of one wheel is in a gap of the other, at all tim
   expect_identical(vapply(c(1, 5, -15, 0.5, 2.5), fraction_text, ""),
     c("1", "1/5", "-1/15", "2", "0.4"))
 })
+
+test_that("the speed of a small wheel is written outside of its rim", {
+  drawing <- draw_train(gear_train(c(0.01, 0.5, 2), ratios = c(5, -3)))
+  at <- drawing$labels[drawing$labels$symbol == "omega[1]", ]
+  expect_gt(sqrt(at$x^2 + at$y^2) - drawing$reach[1], 0.15)
+})

@@ -36,3 +36,24 @@ test_that("one group, and damaged tables", {
   expect_error(print(damaged), class = "rotdyn_error_type")
   expect_error(ggplot2::autoplot(timed(), 3), class = "rotdyn_error_argument")
 })
+
+test_that("pivots and the fitted line are drawn, what was left out is a cross", {
+  d <- c(0.1, 0.2, 0.3, 0.4, 0.45, 0.5)
+  times <- 2 * pi * sqrt((1 / 12 + d^2) / (9.81 * d)) * (1 + c(2, -1, 60, -2, 1, 1) / 1000)
+  fit <- fit_pivots(times, d)
+  plot <- ggplot2::autoplot(fit)
+  expect_equal(plot$data$x, d)
+  expect_equal(plot$data$y, times)
+  expect_equal(plot$data$used, d != 0.3)
+  line <- ggplot2::layer_data(plot, 1)
+  k2 <- fit$gyration_square_m2$value
+  expect_equal(line$y^2 * fit$gravity_m_per_s2$value * line$x / (4 * pi^2), k2 + line$x^2)
+  expect_match(plot$labels$alt, "g = 9.821\\(35\\) m/s\\^2. Left out: the pivot at 0.3 m.")
+  bad <- fit
+  bad$pivots <- NULL
+  expect_error(ggplot2::autoplot(bad), class = "rotdyn_error_type")
+  bad <- fit
+  bad$gravity_m_per_s2 <- 9.81
+  expect_error(ggplot2::autoplot(bad), class = "rotdyn_error_type")
+  expect_error(ggplot2::autoplot(fit, 2), class = "rotdyn_error_argument")
+})

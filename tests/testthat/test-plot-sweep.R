@@ -45,3 +45,18 @@ test_that("inclines show the heat of slipping where there is some", {
   rows$static_friction <- 5
   expect_false(any(grepl("heat", panels(rows))))
 })
+
+test_that("a third parameter has lines of its own, by their type", {
+  designs <- expand.grid(
+    moment_of_inertia_kg_m2 = seq(0.05, 0.5, by = 0.05), viscous_n_m_s = c(0, 0.03, 0.3),
+    coulomb_n_m = c(0, 0.2)
+  )
+  plot <- ggplot2::autoplot(spin_up_table(designs, torque_constant(0.8), time_s = 8))
+  lines <- ggplot2::layer_data(plot, 1)
+  each <- split(lines, list(lines$PANEL, lines$group))
+  expect_length(each, 2 * 6)
+  # One value for each place: no line jumps between two sets.
+  for (one in each) expect_false(any(duplicated(one$x)))
+  expect_length(unique(lines$linetype), 2)
+  expect_match(plot$labels$alt, "types of line by coulomb \\(N m\\)")
+})

@@ -76,3 +76,22 @@ test_that("the knots of a law are marked where they are in the picture", {
   expect_equal(sort(unique(marks()$at)), c(0, 1, 4, 6))
   expect_equal(sort(unique(marks(time_s = c(0.5, 5))$at)), c(1, 4))
 })
+
+test_that("a force is drawn over its time, on both sides of its breaks", {
+  push <- force_function(function(time_s) if (time_s < 1) 20 else 0, breaks_s = 1)
+  plot <- ggplot2::autoplot(push)
+  expect_equal(plot$data$value, ifelse(plot$data$at < 1, 20, 0))
+  expect_equal(range(plot$data$at), c(0, 1.25))
+  expect_lt(min(abs(plot$data$at[plot$data$at < 1] - 1)), 1e-8)
+  expect_match(plot$labels$alt, "0 to 20 N, over time, 0 to 1.25 s, with breaks at 1 s")
+  state <- force_function(function(time_s, x_m, v_m_per_s) time_s - x_m)
+  plot <- ggplot2::autoplot(state, time_s = c(2, 4))
+  expect_equal(plot$data$value, plot$data$at)
+  expect_match(plot$labels$subtitle, "position and velocity are 0")
+  wild <- force_function(function(time_s) 1 / (time_s - time_s))
+  expect_error(ggplot2::autoplot(wild), class = "rotdyn_error_value")
+  bad <- push
+  bad$f <- 2
+  expect_error(ggplot2::autoplot(bad), class = "rotdyn_error_type")
+  expect_error(ggplot2::autoplot(push, 2), class = "rotdyn_error_argument")
+})

@@ -162,3 +162,27 @@ test_that("a motion without rows, and one of one row, draw", {
   expect_silent(ggplot2::ggplot_build(ggplot2::autoplot(motion[1, ])))
   expect_error(ggplot2::autoplot(motion[0, ]), class = "rotdyn_error_value")
 })
+
+test_that("the axes of a small motion are scaled to it, and its title is the scene's", {
+  swing <- trajectory(scene_pendulum(body_rod(0.1, 1), 0.5, theta0_rad = 1e-5), seq(0, 5, 0.01))
+  plot <- ggplot2::autoplot(swing)
+  expect_equal(plot$labels$title, "A pendulum: a rod on a fixed axle")
+  expect_equal(levels(plot$data$panel)[1], "angle (1e-6 rad)")
+  one <- plot$data[plot$data$panel == "angle (1e-6 rad)", ]
+  expect_equal(one$value, 1e6 * swing$theta_rad)
+  by_law <- scene_axle(2, torque_gravity(3, 0.5), theta0_rad = 1)
+  expect_equal(
+    ggplot2::autoplot(trajectory(by_law, 0:3))$labels$title, "A pendulum: a body on a fixed axle"
+  )
+  # A nutation of 1 degree about 60 degrees has an axis without 0, constants have one with it.
+  top <- scene_pivot(
+    c(0.02, 0.02, 0.03), c(0, 0, 60), mass_kg = 2, centre_m = c(0, 0, 0.1),
+    attitude0 = attitude_from(c(1, 0, 0, pi / 3), "axis_angle")
+  )
+  plot <- ggplot2::autoplot(trajectory(top, seq(0, 2, 0.01)))
+  zeros <- plot$layers[[1]]$data$panel
+  expect_false("inclination (rad)" %in% zeros)
+  expect_true("energy (J)" %in% zeros)
+  range <- ggplot2::ggplot_build(plot)$layout$panel_params[[1]]$y.range
+  expect_gt(range[1], 1)
+})

@@ -302,3 +302,13 @@ test_that("units of names", {
   )
   expect_identical(without_unit(c("theta_rad", "prey", "v_m_per_s")), c("theta", "prey", "v"))
 })
+
+test_that("equations are drawn as a loop, with the states at the start", {
+  skip_if_not_installed("ggplot2")
+  scene <- scene_equations(
+    function(x_m, v_m_per_s) c(v_m_per_s, -x_m), c(x_m = 0.2, v_m_per_s = 3), positions = "x_m",
+    conserved = list(energy_j = function(x_m, v_m_per_s) x_m^2 + v_m_per_s^2)
+  )
+  alt <- ggplot2::autoplot(scene)$labels$alt
+  expect_match(alt, "Equations of x and v.*x at start 0.2 m; v at start 3 m/s; conserved energy")
+})
