@@ -120,7 +120,8 @@ if (requireNamespace("svglite", quietly = TRUE)) {
   knitr::knit_hooks$set(plot = function(x, options) {
     if (!grepl("[.]svg$", x)) return(drawn_by_format(x, options))
     alt <- options$fig.alt %||% ggplot2::get_alt_text(ggplot2::last_plot())
-    paste0("\n```{=html}\n", svg_in_page(x, paste(alt, collapse = " ")), "\n```\n")
+    # The comment parts it from output that follows in the same chunk.
+    paste0("\n```{=html}\n", svg_in_page(x, paste(alt, collapse = " ")), "\n```\n\n<!-- -->\n")
   })
 } else {
   knitr::opts_chunk$set(dpi = 168)
