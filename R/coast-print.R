@@ -113,8 +113,12 @@ coast_words <- function(x, fit) {
   label <- function(name) paste0("  ", labels[trimws(labels) == name][1], "  ")
   table <- paste0(
     "  ", labels[known], "  ", format(value), "  ", format(rows$unit), "  ",
-    format(paste0("[", interval, "]")), "  ", rows$status
+    format(paste0("[", interval, "]"))
   )
+  # A line too long for the console has its last column below.
+  beside <- max(nchar(table) + 2L + nchar(rows$status)) <= getOption("width")
+  table <- if (beside) paste0(table, "  ", rows$status) else
+    paste0(sub(" +$", "", table), "\n      ", rows$status)
   sigma <- max(vapply(fit$runs, function(run) run$numbers[["sigma"]], 0))
   tau <- vapply(fit$runs, function(run) run$numbers[["tau_s"]], 0)
   longest <- which.max(tau)

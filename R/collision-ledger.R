@@ -286,25 +286,27 @@ print.rot_ledger <- function(x, ..., digits = 4) {
     print(drop_class(x, "rot_ledger"), ...)
     return(invisible(x))
   }
-  wide <- as.integer(digits) + 9L
+  wide <- as.integer(digits) + 8L
   show <- function(value, unit) {
     value[abs(value) <= 1e-14 * max(abs(value), 0, na.rm = TRUE)] <- 0
     formatC(value, digits = digits, format = "g", width = wide)
   }
-  line <- function(text, values) cat(sprintf("  %-34s", text), values, "\n", sep = "")
+  at <- which(x$balance == "energy")
+  shown <- energies[!(energies$before %in% 0 & energies$after %in% 0), ]
+  names <- paste0(gsub("_", " ", x$balance), " (", x$unit, ")")
+  names[at] <- "energy (J)"
+  label <- max(nchar(c(names, paste0("  ", shown$term))))
+  line <- function(text, values) cat("  ", formatC(text, width = -label), values, "\n", sep = "")
   cat("<rot_ledger> ", ledger_verdict(x$verdict), "\n", sep = "")
-  line("", formatC(c("before", "after", "from outside", "lost"), width = wide))
+  line("", formatC(c("before", "after", "outside", "lost"), width = wide))
   for (i in seq_len(nrow(x))) {
     if (x$balance[i] == "energy") next
-    name <- paste0(gsub("_", " ", x$balance[i]), " (", x$unit[i], ")")
-    line(name, show(c(x$before[i], x$after[i], x$supplied[i])))
+    line(names[i], show(c(x$before[i], x$after[i], x$supplied[i])))
     if (!is.na(x$about[i]) && !identical(x$about[i], x$about[i + 1L])) {
       cat("    about ", x$about[i], "\n", sep = "")
     }
   }
-  at <- which(x$balance == "energy")
-  if (length(at)) line("energy (J)", show(c(x$before[at], x$after[at], 0, x$dissipated[at])))
-  shown <- energies[!(energies$before %in% 0 & energies$after %in% 0), ]
+  if (length(at)) line(names[at], show(c(x$before[at], x$after[at], 0, x$dissipated[at])))
   lost <- startsWith(shown$term, "lost")
   for (i in seq_len(nrow(shown))) {
     value <- if (lost[i]) c("", "", "", show(shown$after[i])) else

@@ -279,6 +279,7 @@ swing_inputs <- function(swing, restoring, amplitude_rad, decay_per_s, call) {
     correct <- restoring == "filar"
   } else {
     period <- as_measured(swing, "swing", "s", call, 0, open = TRUE)
+    if (is_unnamed(period)) period$parts$name <- "period_s"
     if (restoring == "gravity" && amplitude > 0) {
       period <- period * small_swing_ratio(amplitude, "gravity")
     }
@@ -291,13 +292,15 @@ swing_inputs <- function(swing, restoring, amplitude_rad, decay_per_s, call) {
   )
 }
 
+# A number typed in has a label that is no name.
+is_unnamed <- function(x) nrow(x$parts) == 1L && x$parts$name != make.names(x$parts$name)
+
 inertia_result <- function(motion, inputs, method, f, call, labels = NULL) {
   inputs <- c(list(omega_square = motion$square), inputs)
   # Contributions under the names that the user gave, else under those of the arguments.
   for (name in names(inputs)[-1]) {
-    parts <- inputs[[name]]$parts
-    bare <- nrow(parts) == 1L && parts$name != make.names(parts$name)
-    if (bare) inputs[[name]]$parts$name <- if (name %in% names(labels)) labels[[name]] else name
+    if (!is_unnamed(inputs[[name]])) next
+    inputs[[name]]$parts$name <- if (name %in% names(labels)) labels[[name]] else name
   }
   budget <- budget_of(f, inputs, names(inputs), NULL, 0.95, 0, 1, call)
   out <- budget$results[[1]]
@@ -319,13 +322,13 @@ print.rot_inertia_measured <- function(x, ...) {
   check_measured(x, "x", call)
   check_form(unclass(x), inertia_measured_form, "x", "measured moment of inertia", call)
   if (!is.null(x$centre)) check_measured(x$centre, "x", call)
-  cat("I = ", format.rot_measured(x), " kg m^2  (", x$method, ", amplitude ",
-    format_si(x$amplitude_rad, 3), " rad)\n", sep = "")
+  cat("I = ", format.rot_measured(x), " kg m^2\n  ", x$method, ", amplitude ",
+    format_si(x$amplitude_rad, 3), " rad\n", sep = "")
   if (!is.null(x$centre)) {
-    cat("about the centre of mass ", format.rot_measured(x$centre), " kg m^2", if (
+    cat("about the centre of mass ", format.rot_measured(x$centre), " kg m^2\n", if (
       is.finite(x$amplification)) {
-      paste0(": relative uncertainty ", format(x$amplification, digits = 2), " times that of I")
-    }, "\n", sep = "")
+      paste0("  relative uncertainty ", format(x$amplification, digits = 2), " times that of I\n")
+    }, sep = "")
   }
   rows <- x$contributions[order(-abs(x$contributions$contribution)), ]
   if (nrow(rows)) {

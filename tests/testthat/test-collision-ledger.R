@@ -93,3 +93,18 @@ test_that("a ledger prints each balance once, the energy last", {
   expect_false(is.unsorted(at, na.rm = FALSE))
   expect_match(lines[at[1]], "1\\.2 +0\\.9375")
 })
+
+test_that("a ledger prints within 80 columns", {
+  hits <- list(
+    collide(
+      body_sphere(1, 0.1), body_sphere(2, 0.1), velocity_1_m_per_s = c(2, 0.3, 0),
+      normal = c(-1, 0, 0), restitution = 0.5
+    ),
+    hinged_hit(body_rod_end(1, 1), 0.5, 0.9, 0.05, 5), disks_lock(1, 3, 60, 0)
+  )
+  for (hit in hits) {
+    shown <- capture.output(print(collision_ledger(hit)))
+    expect_lte(max(nchar(shown)), 80)
+    expect_match(shown[2], "before +after +outside +lost$")
+  }
+})

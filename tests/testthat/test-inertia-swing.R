@@ -159,3 +159,12 @@ test_that("errors of a record are those of the function that was called", {
     expect_equal(as.character(conditionCall(error)[[1]]), names[i])
   }
 })
+
+test_that("numbers typed in have the names of their arguments, and a print fits 80 columns", {
+  i <- inertia_compound_pendulum(measured(1.3, 0.001), measured(0.29, 0.001), measured(0.4, 0.001))
+  expect_setequal(i$contributions$input, c("period_s", "mass_kg", "distance_m"))
+  period <- measured(1.3, 0.001)
+  named <- inertia_torsion(measured(period$value, 0.001, name = "T"), measured(2, 0.01))
+  expect_true("T" %in% named$contributions$input)
+  expect_lte(max(nchar(capture.output(print(i)))), 80)
+})
