@@ -24,8 +24,8 @@ lesson_column_words <- list(
 #' @param open Whether the notebook is opened in the editor ([utils::file.edit()]), in an
 #'   interactive session.
 #' @return The path of the notebook, invisibly. Without a `lesson` a tibble with a row for each:
-#'   `number`, `lesson` (its name), `title`, `minutes`, `exercises` (how many [exercises()] belong
-#'   to it), `section` (their sections of the course, separated by commas).
+#'   `number`, `lesson` (its name), `minutes`, `exercises` (how many [exercises()] belong to it),
+#'   `title`, `section` (sections of those exercises, separated by commas).
 #' @section Errors: `rotdyn_error_value` for an unknown lesson, or a `file` with another ending;
 #'   `rotdyn_error_file` where the file exists or cannot be written, or the package was installed
 #'   without its lessons; `rotdyn_error_type`, `rotdyn_error_argument`.
@@ -124,8 +124,8 @@ lesson_table <- function(pages) {
   sections <- split(exercises$section, factor(exercises$lesson, names(pages)))
   new_table(list(
     number = as.integer(substr(titles, 1L, 2L)), lesson = names(pages),
-    title = sub(lesson_mark, "", titles), minutes = minutes,
-    exercises = unname(lengths(sections)),
+    minutes = minutes, exercises = unname(lengths(sections)),
+    title = sub(lesson_mark, "", titles),
     section = vapply(sections, function(all) toString(unique(all)), "", USE.NAMES = FALSE)
   ), nrow = length(pages))
 }

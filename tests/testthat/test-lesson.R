@@ -24,7 +24,7 @@ chunks_of <- function(lines) {
 test_that("the lessons are listed in the order of the course", {
   all <- with_lessons(lesson())
   expect_s3_class(all, "tbl_df")
-  expect_named(all, c("number", "lesson", "title", "minutes", "exercises", "section"))
+  expect_named(all, c("number", "lesson", "minutes", "exercises", "title", "section"))
   expect_identical(setdiff(names(all), column_table()$name), character())
   expect_identical(all$number, seq_len(nrow(all)))
   expect_gt(nrow(all), 20)
