@@ -71,26 +71,26 @@ test_that("headers are those of R Markdown and of Quarto", {
   skip_if_not_installed("rmarkdown")
   folder <- new_folder()
   with_lessons({
-    lesson("first-motion", file.path(folder, "a.Rmd"))
-    lesson("first-motion", file.path(folder, "a.qmd"))
+    lesson("spin-up", file.path(folder, "a.Rmd"))
+    lesson("spin-up", file.path(folder, "a.qmd"))
   })
   plain <- rmarkdown::yaml_front_matter(file.path(folder, "a.Rmd"))
-  expect_identical(plain$title, "Lesson 04: a wheel and a brake")
+  expect_identical(plain$title, "Lesson 05: a motor, a disk, and friction")
   expect_named(plain$output, c("html_document", "html_notebook"))
-  page <- list(mathjax = NULL, pandoc_args = "--mathml", fig_width = 6L, fig_height = 2.8)
+  page <- list(mathjax = NULL, pandoc_args = "--mathml", fig_width = 7L, fig_height = 3.8)
   expect_identical(plain$output$html_document, page)
   expect_identical(plain$output$html_notebook, page)
   quarto <- rmarkdown::yaml_front_matter(file.path(folder, "a.qmd"))
   expect_identical(quarto$title, plain$title)
   expect_identical(quarto$format$html, list(
-    "embed-resources" = TRUE, "html-math-method" = "mathml", "fig-width" = 6L, "fig-height" = 2.8
+    "embed-resources" = TRUE, "html-math-method" = "mathml", "fig-width" = 7L, "fig-height" = 3.8
   ))
   body <- function(file) {
     lines <- readLines(file.path(folder, file))
     lines[-seq_len(which(lines == "---")[2])]
   }
   expect_identical(body("a.Rmd"), body("a.qmd"))
-  expect_true(any(grepl("^Go on with `lesson\\(\"spin-up\"\\)`", body("a.Rmd"))))
+  expect_true(any(grepl("^Go on with `lesson\\(\"brake\"\\)`", body("a.Rmd"))))
 })
 
 test_that("a notebook runs by itself", {
