@@ -4,7 +4,7 @@
 # Pictures are drawn by svglite and stand in the page as SVG, sharp at any size. A page has 588 px
 # for the 504 points of seven inches, so a tenth of a point is a quarter of a pixel on a screen of
 # two device pixels: coordinates are rounded to it, points of a line that lie nearer to their
-# neighbours' line are left out (the spin-up, 400 points a curve: 46 kB as svglite writes it, 13 kB
+# neighbours' line are left out (the spin-up, 400 points a curve: 46 kB as svglite writes it, 9 kB
 # so). Without svglite, PNG of 168 dots an inch.
 
 knitr::opts_chunk$set(
