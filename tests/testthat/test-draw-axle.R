@@ -78,8 +78,10 @@ test_that("masses hang from their pulley at the radius of the rope", {
   expect_equal(alone$title, "A mass hanging from a pulley")
 })
 
-test_that("a brake shoe is pressed against the rim from below", {
-  look <- drawing(scene_axle(body_disk(2, 0.25), resistance = resistance(coulomb_n_m = 0.1)))
+test_that("a brake shoe is pressed against the rim from below, the bearing has its letter", {
+  look <- drawing(scene_axle(body_disk(2, 0.25), resistance = resistance(0.3, coulomb_n_m = 0.1)))
+  letter <- look$labels[look$labels$symbol == "c", ]
+  expect_lt(max(letter$x, letter$y), -0.1)
   of <- function(style) Filter(function(one) one$style == style, look$marks)[[1]]$points
   shoe <- of("fixed")
   rim <- min(all_points(fills(look))[, 2])

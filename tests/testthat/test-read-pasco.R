@@ -53,5 +53,6 @@ test_that("archives and workbooks are refused with what to do", {
   writeBin(as.raw(c(0xd0, 0xcf, 0x11, 0xe0, 0xa1, 0xb1, 0x1a, 0xe1)), "a.xls")
   for (file in c(zip_file(list("a.csv" = table)), "a.tar", "a.xls")) {
     expect_error(read_pasco(file), "export the table from Capstone", class = "rotdyn_error_file")
+    expect_error(read_imu(file), "no table of text", class = "rotdyn_error_file")
   }
 })
