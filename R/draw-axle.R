@@ -31,7 +31,7 @@ draw_axle <- function(scene, ray = -0.6) {
   draw_torque(d, torque_without(torque, c("gravity", "spring")), rim + 0.16)
   for (term in spring) draw_torsion_spring(d, term)
   away <- if (coiled) c(0.3, 0.74) else c(0.16, 0.15)
-  draw_resistance(d, axle_resistance(scene), rim, away)
+  draw_resistance(d, axle_resistance(scene), rim, away = away)
   d$done(c(-1.5, 1.5, -1.5, 1.5), look$note)
 }
 

@@ -696,8 +696,6 @@ fit_circle <- function(x, y) {
   if (!(size > 0)) return(NULL)
   u <- (x - at[1]) / size
   v <- (y - at[2]) / size
-  spread <- svd(cbind(u, v), nu = 0, nv = 0)$d
-  if (spread[2] < 1e-6 * spread[1]) return(NULL)
   z <- u^2 + v^2
   zm <- mean(z)
   pencil <- svd(cbind((z - zm) / (2 * sqrt(zm)), u, v), nu = 0)$v[, 3]

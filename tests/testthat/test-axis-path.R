@@ -24,6 +24,10 @@ test_that("any axis, any quaternions, and what is missing", {
   expect_identical(is.nan(z$axis_azimuth_rad[1]), TRUE)
   expect_equal(axis_path(q, c(2, 0, 0))$axis_z, c(0, -1, NA))
   expect_equal(axis_path(q, "y")$axis_y, c(1, 1, NA))
+  # (1, 2, 2)/3 is as far from z as acos(2/3), above atan(2).
+  slant <- axis_path(q[1, ], c(1, 2, 2))
+  expect_equal(slant$axis_inclination_rad, acos(2 / 3))
+  expect_equal(slant$axis_azimuth_rad, atan(2))
   expect_error(axis_path(q[1:3]), class = "rotdyn_error_type")
   expect_error(axis_path(1), class = "rotdyn_error_type")
   expect_error(axis_path(q, "w"), class = "rotdyn_error_value")

@@ -95,6 +95,20 @@ test_that("polygons are not made convex, meshes have the edges where they turn a
   )
 })
 
+test_that("of a box only the edges of its outline are drawn, and no diagonals of its faces", {
+  corners <- as.matrix(expand.grid(x = 0:1, y = 0:1, z = 0:1))
+  faces <- rbind(
+    c(1, 3, 4, 2), c(5, 6, 8, 7), c(1, 2, 6, 5), c(3, 7, 8, 4), c(1, 5, 7, 3), c(2, 4, 8, 6)
+  )
+  box <- body_mesh(list(
+    vertices = unname(corners), faces = rbind(faces[, 1:3], faces[, c(1, 3, 4)])
+  ), mass_kg = 1)
+  edges <- function(plane) nrow(rotdyn:::project_solids(rotdyn:::body_solids(box), plane)$line) / 2
+  # Along an axis a square; from a corner a hexagon, without the three edges of the near corner.
+  for (axes in list(1:2, c(1, 3), 2:3)) expect_equal(edges(plane(axes)), 4)
+  expect_equal(edges(cbind(c(1, -1, 0) / sqrt(2), c(1, 1, -2) / sqrt(6))), 6)
+})
+
 test_that("what has no outline has none, nor a compound with such a part", {
   tensor <- body_tensor(1, c(5, 6.8, 8.2))
   expect_null(rotdyn:::body_solids(tensor))

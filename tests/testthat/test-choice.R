@@ -168,3 +168,12 @@ test_that("the error figure holds for every column of a motion without some effe
     }
   }
 })
+
+test_that("a motion without some effects is measured between its rows", {
+  # A kick and its reverse between two rows, in a twentieth of the time: omega reaches 0.1 rad/s.
+  kick <- torque_knots(c(4, 4.1, 4.3, 4.4), c(0, 1, -1, 0))
+  motion <- trajectory(scene_axle(1, kick, resistance(0, 1e-10)), c(0, 10), 1e-3)
+  expect_equal(run_of(motion)$dropped$effects, "quadratic")
+  expect_lt(max(abs(motion$omega_rad_per_s)), 1e-12)
+  expect_equal(run_of(motion)$info$sizes[["omega"]], 0.1, tolerance = 0.01)
+})

@@ -63,6 +63,13 @@ test_that("encodings", {
     expect_equal(decode_bytes(bytes, "x", call), text, info = encoding)
   }
   expect_equal(decode_bytes(c(as.raw(c(0xef, 0xbb, 0xbf)), charToRaw("a")), "x", call), "a")
+  # A last character that is cut in two is left out.
+  for (encoding in c("UTF-16LE", "UTF-16BE")) {
+    bytes <- iconv(text, "UTF-8", encoding, toRaw = TRUE)[[1]]
+    expect_equal(decode_bytes(bytes[-length(bytes)], "x", call), sub("\n$", "", text))
+    mark <- as.raw(if (encoding == "UTF-16LE") c(0xff, 0xfe) else c(0xfe, 0xff))
+    expect_equal(decode_bytes(c(mark, bytes, as.raw(65)), "x", call), text)
+  }
   expect_error(decode_bytes(as.raw(c(65, 0, 66, 67, 68, 69)), "x", call),
     class = "rotdyn_error_file")
   expect_error(decode_bytes(as.raw(c(0xff, 0xfe, 65, 0, 0, 0, 66, 0)), "x", call),

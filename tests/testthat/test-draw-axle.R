@@ -77,3 +77,18 @@ test_that("masses hang from their pulley at the radius of the rope", {
   expect_false("m[2]" %in% alone$quantities$symbol)
   expect_equal(alone$title, "A mass hanging from a pulley")
 })
+
+test_that("a brake shoe is pressed against the rim from below, the bearing has its letter", {
+  look <- drawing(scene_axle(body_disk(2, 0.25), resistance = resistance(0.3, coulomb_n_m = 0.1)))
+  letter <- look$labels[look$labels$symbol == "c", ]
+  expect_lt(max(letter$x, letter$y), -0.1)
+  of <- function(style) Filter(function(one) one$style == style, look$marks)[[1]]$points
+  shoe <- of("fixed")
+  rim <- min(all_points(fills(look))[, 2])
+  expect_true(all(shoe[, 2] < rim))
+  arrow <- of("resistance")
+  expect_lt(arrow[2, 2], min(shoe[, 2]))
+  expect_gt(arrow[2, 2], min(shoe[, 2]) - 0.05)
+  expect_lt(arrow[1, 2], arrow[2, 2])
+  expect_equal(arrow[, 1], rep(mean(shoe[, 1]), 2))
+})

@@ -88,3 +88,15 @@ test_that("an audit has the potential energy as a change", {
   energy(up, c(0, 1e-7))
   energy(up, c(0, 10))
 })
+
+test_that("late in time a passage just before a stop is an event of its own", {
+  # theta = 0.1 + (0.1 + d) cos(2 t), which passes 0 and stops at -d.
+  d <- 1e-8
+  scene <- scene_axle(
+    1, torque_spring(4), resistance(coulomb_n_m = 0.4), theta0_rad = 0.2 + d, start_s = 1e6
+  )
+  events <- motion_events(trajectory(scene, 1e6 + 0:3))
+  expect_equal(events$event, c("passage", "stick"))
+  want <- c(acos(-0.1 / (0.1 + d)), pi) / 2
+  expect_equal(events$time_s - 1e6, want, tolerance = 1e-8)
+})

@@ -105,6 +105,11 @@ test_that("errors of loads", {
   expect_error(
     resultant(data.frame(x_m = 1, y_m = 0, fx_n = Inf, fy_n = 0)), class = "rotdyn_error_value"
   )
+  for (load in list(1:2, c("a", NA), cbind(c("a", "b"), c("c", "d")), list("a", "b"))) {
+    table <- data.frame(x_m = 0:1, y_m = 0, fx_n = 1, fy_n = 0)
+    table$load <- load
+    expect_error(resultant(table), "load must be names", class = "rotdyn_error_type")
+  }
   expect_error(resultant(load_couple(1), c(0, 0, 0)), class = "rotdyn_error_size")
   expect_error(resultant(list()), class = "rotdyn_error_size")
   expect_error(load_weight(1e308, c(0, 0)), class = "rotdyn_error_range")

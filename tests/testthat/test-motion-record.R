@@ -169,6 +169,12 @@ test_that("marks: centre fitted, given, tracked; a line is refused", {
   centre <- info_of(fitted)$centre
   expect_equal(c(centre$x_m, centre$y_m, centre$radius_m), c(0.03, -0.4, 0.2), tolerance = 1e-12)
   expect_error(motion_record(d, time_s = t, x_m = t, y_m = nx), class = "rotdyn_error_value")
+  for (bend in c(0, 1e-12, 1e-9, 1e-7, 1e-5)) {
+    d$bent <- 0.3 * d$t + bend * d$t^2
+    expect_error(
+      motion_record(d, time_s = t, x_m = t, y_m = bent), "on a line", class = "rotdyn_error_value"
+    )
+  }
   expect_error(motion_record(d, time_s = t, x_m = x), class = "rotdyn_error_missing")
   # With noise the fit's own standard errors hold: 200 fits, the centre within 1.96 of them.
   set.seed(5)

@@ -22,6 +22,22 @@ test_that("a domain reaches as far as its sizes say, about its centre", {
   expect_equal(reach(half, "y over x", "up"), c(0, 1), tolerance = 1e-3)
 })
 
+test_that("walls are drawn by their two faces, with lines all around", {
+  lines_of <- function(domain) {
+    wires <- domain_wires(domain, NULL)
+    split(as.data.frame(wires$points), wires$wire)
+  }
+  span <- function(x) diff(range(x))
+  lines <- lines_of(domain_cylinder(0.5, 2, inner_radius_m = 0.4))
+  upright <- Filter(function(one) span(one$z) > 1.9, lines)
+  angle <- vapply(upright, function(one) atan2(one$y[1], one$x[1]) %% (2 * pi), 0)
+  expect_equal(sort(unique(round(angle * 4 / pi) %% 8)), 0:7)
+  expect_equal(angle, round(angle * 4 / pi) * pi / 4, ignore_attr = TRUE)
+  radius <- function(one) sqrt(one$x^2 + one$y^2)
+  rings <- Filter(function(one) span(one$z) == 0 && span(radius(one)) < 1e-9, lines)
+  expect_setequal(round(vapply(rings, function(one) radius(one)[1], 0), 9), c(0.4, 0.5))
+})
+
 test_that("a map is drawn by its points, a predicate by its cells", {
   map <- domain_map(
     function(u, v, w) list(2 * u, v, w + 5), function(u, v, w) 2 + 0 * u, c(0, 0, 0), c(1, 1, 1)

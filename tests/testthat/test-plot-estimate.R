@@ -1,12 +1,12 @@
 skip_if_not_installed("ggplot2")
 
-struck_motion <- function(inertia = NULL) {
+struck_motion <- function(inertia = NULL, bad = 50) {
   time <- seq(0, 4, by = 0.02)
   set.seed(1)
   record <- data.frame(
     time_s = time, theta_rad = 2 * time + pmax(time - 2.013, 0) * 6 + stats::rnorm(201, sd = 1e-3)
   )
-  record$theta_rad[50] <- record$theta_rad[50] + 0.1
+  record$theta_rad[bad] <- record$theta_rad[bad] + 0.1
   estimate_motion(record, inertia = inertia)
 }
 
@@ -15,7 +15,10 @@ test_that("the picture has four panels with bands, breaks, samples and crosses",
   built <- ggplot2::ggplot_build(plot)
   expect_equal(nrow(built$layout$layout), 4)
   expect_match(plot$labels$alt, "impact at 2.013 s")
-  expect_match(plot$labels$subtitle, "1 sample left out")
+  expect_match(plot$labels$subtitle, "; 1 sample left out")
+  expect_match(
+    ggplot2::autoplot(struck_motion(bad = c(50, 150)))$labels$subtitle, "; 2 samples left out"
+  )
   geoms <- vapply(plot$layers, function(layer) class(layer$geom)[1], "")
   expect_true(all(c("GeomRibbon", "GeomLine", "GeomVline", "GeomPoint") %in% geoms))
   crosses <- built$data[[6]]

@@ -27,6 +27,23 @@ test_that("groups with both errors, the pooled period as a line and a band", {
   expect_match(plot$labels$alt, "group D")
 })
 
+test_that("miscounted groups stand beyond the others, on their own side", {
+  times <- c(
+    15.82, 15.86, 15.79, 15.80, 17.63, 17.48, 17.59, 17.64, 17.71, 17.69, 17.66, 17.74, 17.52,
+    17.49, 17.55, 17.50, 19.42, 19.38, 19.41, 19.39
+  )
+  pooled <- pool_periods(times, swings = 10, group = rep(LETTERS[1:5], each = 4))
+  expect_equal(which(pooled$groups$status != "used"), c(1, 5))
+  plot <- ggplot2::autoplot(pooled)
+  bars <- ggplot2::layer_data(plot, 3)
+  at <- plot$data$x[match(LETTERS[1:5], plot$data$group)]
+  expect_equal(at[2:4], pooled$groups$period_s[2:4])
+  # A quarter of the width of bars and band from their ends.
+  band <- ggplot2::layer_data(plot, 1)
+  ends <- range(bars$x, bars$xend, band$xmin, band$xmax)
+  expect_equal(at[c(1, 5)], ends + c(-0.25, 0.25) * diff(ends))
+})
+
 test_that("one group, and damaged tables", {
   one <- pool_periods(c(1.7, 1.72, 1.69))
   expect_s3_class(ggplot2::ggplot_build(ggplot2::autoplot(one)), "ggplot_built")

@@ -20,6 +20,17 @@ test_that("a surface only pushes, along its normal, with friction along it", {
   expect_match(plot$labels$alt, "Floor: a surface. push; friction, either sense; static friction")
 })
 
+test_that("the piece of the body lies across the normal, to the right without one", {
+  along <- function(support) {
+    piece <- Find(function(one) one$style == "body", draw_support(support)$marks)$points
+    long <- diff(piece)[which.max(rowSums(diff(piece)^2)), ]
+    abs(long / sqrt(sum(long^2)))
+  }
+  expect_equal(along(support_surface(c(4, 0), normal = c(-3, 4))), c(0.8, 0.6))
+  expect_equal(along(support_roller(c(1, 2), normal = c(1, 0))), c(0, 1))
+  expect_equal(along(support_pin(c(1, 2))), c(1, 0))
+})
+
 test_that("each support has the unknowns that it has in an equilibrium", {
   supports <- list(
     support_pin(c(0, 0)), support_roller(c(0, 0)), support_fixed(c(0, 0)),

@@ -261,6 +261,13 @@ test_that("components that are rounding noise beside the others show as 0", {
   expect_identical(shown$omega_y_rad_per_s, c(0, 2))
   expect_identical(shown$omega_z_rad_per_s, c(0, 1e-9))
   expect_identical(shown$other, x$other)
+  # Below 1e-14 of the largest, in columns and among bodies at one time.
+  edge <- new_table(list(vx_m_per_s = c(1, 1), vy_m_per_s = c(0.9e-14, -1.1e-14)), nrow = 2L)
+  expect_identical(without_noise(edge)$vy_m_per_s, c(0, -1.1e-14))
+  bodies <- new_table(
+    list(time_s = c(0, 0, 0), rotor = 1:3, omega_rad_per_s = c(1, -0.9e-14, 1.1e-14)), nrow = 3L
+  )
+  expect_identical(without_noise(bodies)$omega_rad_per_s, c(1, 0, 1.1e-14))
 })
 
 test_that("a scene and its motion are introduced as what the user described", {

@@ -8,6 +8,15 @@ test_that("a fraction from which no time can be estimated does not end a run", {
     TRUE
   }
   expect_true(suppressMessages(run(c(0, 1e-300, 1e-20, NaN, Inf, -1, 1))))
+  for (fraction in c(0, 1e-300, 1e-20, NaN, Inf, -1, 1.5)) {
+    progress <- rotdyn:::progress_bar("testing")
+    state <- environment(progress)
+    state$start <- proc.time()[[3]] - 10
+    expect_no_message(progress(fraction))
+    expect_null(state$bar)
+    suppressMessages(progress(0.5))
+    expect_false(is.null(state$bar) || state$failed)
+  }
   # A second phase after the first is complete.
   expect_true(suppressMessages(run(c(0.5, 1, 0.2, 1))))
 })

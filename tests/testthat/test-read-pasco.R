@@ -41,3 +41,18 @@ test_that("a heading with a control character is printed without a warning", {
   printed <- expect_no_warning(utils::capture.output(print(read_pasco(file))))
   expect_match(printed, "Time (s) Run\\001 #1", fixed = TRUE, all = FALSE)
 })
+
+test_that("archives and workbooks are refused with what to do", {
+  table <- c("Time (s),Angle (rad)", "0,1", "1,2")
+  folder <- tempfile("t")
+  dir.create(folder)
+  old <- setwd(folder)
+  on.exit(setwd(old))
+  writeLines(table, "a.csv")
+  utils::tar("a.tar", "a.csv", tar = "internal")
+  writeBin(as.raw(c(0xd0, 0xcf, 0x11, 0xe0, 0xa1, 0xb1, 0x1a, 0xe1)), "a.xls")
+  for (file in c(zip_file(list("a.csv" = table)), "a.tar", "a.xls")) {
+    expect_error(read_pasco(file), "export the table from Capstone", class = "rotdyn_error_file")
+    expect_error(read_imu(file), "no table of text", class = "rotdyn_error_file")
+  }
+})

@@ -43,6 +43,10 @@ test_that("projects: .cmbl is XML, .gambl a tar archive with it", {
   lines <- gsub("\nNA\n", "\nZ1 1:\n", lines, fixed = TRUE)
   r <- read_motion(text_file(lines, ext = ".cmbl"))
   expect_equal(r$segment, rep(1:2, c(29, 20)))
+  # What was left out is told first, then how the rest was divided.
+  expect_match(attr(r, "record")$assumed[1], "not used: \"Velocity (rad/s)\"", fixed = TRUE)
+  expect_match(attr(r, "record")$assumed, "segments are the runs Run 1, Latest$", all = FALSE)
+  expect_match(tail(attr(r, "record")$assumed, 1), "^segments")
   expect_equal(r$theta_rad, c(runs[[1]]$a[-5], runs[[2]]$a))
   folder <- tempfile("g")
   dir.create(file.path(folder, "vstudm"), recursive = TRUE)

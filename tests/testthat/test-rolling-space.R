@@ -28,6 +28,18 @@ test_that("a ball on a turntable runs on a circle, 2/7 as fast as the table", {
   expect_error(ball_on_turntable(0.02, 1, 1, 0.2), class = "rotdyn_error_type")
   expect_error(ball_on_turntable(ball, 1, 1), class = "rotdyn_error_missing")
   expect_error(ball_on_turntable(ball, 1, Inf, 0.2), class = "rotdyn_error_value")
+  expect_error(
+    ball_on_turntable(body_sphere(0, 0.02), 1, 1, 0.2), "mass_kg", class = "rotdyn_error_value"
+  )
+  given <- list(time_s = 1, turntable_rad_per_s = 1, x_m = 0.2, y_m = 0, vx_m_per_s = 0,
+                vy_m_per_s = 0, spin_rad_per_s = 0)
+  for (name in names(given)) {
+    endless <- replace(given, name, list(c(1, -Inf)))
+    expect_error(
+      do.call(ball_on_turntable, c(list(ball), endless)), paste0(name, ".*must be finite"),
+      class = "rotdyn_error_value"
+    )
+  }
 })
 
 test_that("the least speed of a disk and of a hoop", {

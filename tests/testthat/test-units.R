@@ -48,3 +48,11 @@ test_that("a forged quantity is refused", {
     expect_error(trajectory(scene_axle(1), x), class = "rotdyn_error")
   }
 })
+
+test_that("a measured number stands for its value, a damaged one is named", {
+  expect_identical(convert_angle(measured(180, 1), "degree", "rad"), pi)
+  expect_identical(body_disk(measured(2, 0.1), 0.25)$mass_kg, 2)
+  damaged <- measured(2, 0.1)
+  damaged$u <- -1
+  expect_error(body_disk(damaged, 0.25), "mass_kg", class = "rotdyn_error_type")
+})
