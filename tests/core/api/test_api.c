@@ -96,6 +96,19 @@ static void check_rolling(void) {
   ROT_CHECK(isnan(rotdyn_rolling_acceleration(0.4, 91.0, 9.8)));
   ROT_CHECK(isnan(rotdyn_rolling_final_speed(0.4, -1.0, 9.8)));
   ROT_CHECK(isnan(rotdyn_rolling_friction(0.4, (double)NAN)));
+  for (int side = -1; side <= 1; side += 2) {
+    const double wall = 90.0 * side, over = nextafter(wall, 2.0 * wall);
+    ROT_CHECK_ULP(rotdyn_rolling_acceleration(1.0, wall, 9.0), 4.5 * side, 1);
+    ROT_CHECK(isnan(rotdyn_rolling_acceleration(1.0, over, 9.0)));
+    ROT_CHECK(rotdyn_rolling_friction(1.0, wall) == (double)INFINITY);
+    ROT_CHECK(isnan(rotdyn_rolling_friction(1.0, over)));
+  }
+  ROT_CHECK(isnan(rotdyn_rolling_acceleration(0.4, 20.0, -9.8)));
+  ROT_CHECK(isnan(rotdyn_rolling_final_speed(0.4, 1.0, -9.8)));
+  ROT_CHECK(isnan(rotdyn_rolling_final_speed(-0.4, 1.0, 9.8)));
+  ROT_CHECK(isnan(rotdyn_rolling_rotational_fraction(-0.5)));
+  ROT_CHECK(isnan(rotdyn_rolling_translational_fraction(-0.5)));
+  ROT_CHECK(isnan(rotdyn_rolling_friction(-0.4, 20.0)));
   rotdyn_energies e = ROTDYN_INIT(rotdyn_energies);
   ROT_CHECK_EQ_INT(rotdyn_rolling_energies(2.0, 0.5, 0.5, 3.0, &e), ROTDYN_OK);
   ROT_CHECK_ULP(e.inertia_kg_m2, 0.25, 0);

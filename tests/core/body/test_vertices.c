@@ -217,27 +217,37 @@ static void check_shared(void) {
   ROT_CHECK(rows > 1);
 }
 
-/* An outline that meets itself in a corner: crossing there, or touching; from any corner on, either
- * way round, turned and mirrored. */
+/* An outline of n corners, from any of them on, either way round, turned and mirrored: refused as
+ * crossing, or taken with its area. */
+static void check_outline(int n, const double corner[][2], int crosses, double area) {
+  for (int first = 0; first < n; first++) {
+    for (int form = 0; form < 16; form++) {
+      double at[14];
+      const int turned = form >> 3 & 1;
+      for (int i = 0; i < n; i++) {
+        const double *from = corner[((form & 1 ? -i : i) + first + n) % n];
+        at[i] = from[turned] * (form & 2 ? -1.0 : 1.0);
+        at[n + i] = from[!turned] * (form & 4 ? -1.0 : 1.0);
+      }
+      if (crosses) ROT_CHECK_EQ_INT(refused((size_t)n, at), ROT_VERTICES_CROSSING);
+      if (!crosses) ROT_CHECK(polygon((size_t)n, at, 1.0).measure == area);
+    }
+  }
+}
+
+/* An outline that meets itself in a corner: crossing there, or touching; also where one edge leaves
+ * the corner straight on from another, and where two leave it together. */
 static void check_corner(void) {
   const double crosses[6][2] = {{-1, -1}, {0, 0}, {1, 1}, {1, -1}, {0, 0}, {-1, 1}};
   const double touches[6][2] = {{-1, -1}, {0, 0}, {1, -1}, {1, 1}, {0, 0}, {-1, 1}};
-  for (int first = 0; first < 6; first++) {
-    for (int form = 0; form < 16; form++) {
-      double at[2][12];
-      for (int i = 0; i < 6; i++) {
-        const int from = ((form & 1 ? -i : i) + first + 6) % 6;
-        for (int kind = 0; kind < 2; kind++) {
-          const double *corner = kind ? touches[from] : crosses[from];
-          const int turned = form >> 3 & 1;
-          at[kind][i] = corner[turned] * (form & 2 ? -1.0 : 1.0);
-          at[kind][6 + i] = corner[!turned] * (form & 4 ? -1.0 : 1.0);
-        }
-      }
-      ROT_CHECK_EQ_INT(refused(6, at[0]), ROT_VERTICES_CROSSING);
-      ROT_CHECK(fabs(polygon(6, at[1], 1.0).measure) == 2.0);
-    }
-  }
+  const double on[7][2] = {{0, 2}, {0, 0}, {2, 0}, {0, -1}, {-1, 0}, {0, 0}, {1, 1}};
+  const double beside[7][2] = {{0, 2}, {0, 0}, {2, 0}, {0, -1}, {-1, 0}, {0, 0}, {-1, 1}};
+  const double along[7][2] = {{0, 4}, {0, 0}, {4, 0}, {4, 1}, {1, 0}, {0, 0}, {1, 1}};
+  check_outline(6, crosses, 1, 0.0);
+  check_outline(6, touches, 0, 2.0);
+  check_outline(7, on, 1, 0.0);
+  check_outline(7, beside, 0, 2.5);
+  check_outline(7, along, 0, 3.5);
 }
 
 int main(void) {

@@ -86,18 +86,20 @@ static void check_normal_form(void) {
   const double breaks[] = {1.0, 3.0}, others[] = {2.0, 3.0}, spring[] = {4.0, 0.0}, one = 1.5;
   double factor[] = {2.0, 3.0};
   const rot_law_one laws[] = {
-      {.kind = ROT_LAW_MOTOR, .stall_n_m = 2.0, .no_load_rad_per_s = 8.0},
+      {.kind = ROT_LAW_MOTOR, .stall_n_m = 2.0, .no_load_rad_per_s = 8.0, .noise_n_m = 0.25},
       {.kind = ROT_LAW_TERM, .term = {ROT_TERM_SPRING, -INFINITY, INFINITY, 2, spring}},
       {.kind = ROT_LAW_CALL,
        .call = {.call = call, .ctx = &factor[0]},
        .n_breaks = 2,
-       .breaks_s = breaks},
+       .breaks_s = breaks,
+       .noise_n_m = 0.5},
       {.kind = ROT_LAW_MOTOR, .stall_n_m = -1.0, .no_load_rad_per_s = -2.0}};
   const rot_law_sum sum = {4, laws};
   const rot_law_one more = {.kind = ROT_LAW_CALL,
                             .call = {.call = call, .ctx = &factor[1]},
                             .n_breaks = 2,
-                            .breaks_s = others};
+                            .breaks_s = others,
+                            .noise_n_m = 2.0};
   const rot_law_sum last = {1, &more};
   const rot_given nested[] = {{.is = ROT_INPUT_TORQUE, .object = &last}, {0}};
   const rot_given items[] = {{.is = ROT_INPUT_NUMBER, .n = 1, .x = &one},
@@ -108,6 +110,7 @@ static void check_normal_form(void) {
   rot_loads loads;
   ROT_CHECK_EQ_INT(rot_loads_of(&list, &store, &loads), ROT_OK);
   ROT_CHECK(loads.knots.n == 0 && loads.knots.after_n_m == 2.5 && loads.motor_n_m_s == 0.75);
+  ROT_CHECK(loads.noise_n_m == 0.25 + 0.5 + 2.0);
   ROT_CHECK(loads.n_terms == 1 && loads.terms->kind == ROT_TERM_SPRING);
   ROT_CHECK(loads.n_breaks == 3 && loads.breaks_s[0] == 1.0 && loads.breaks_s[1] == 2.0 &&
             loads.breaks_s[2] == 3.0);

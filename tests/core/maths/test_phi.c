@@ -527,14 +527,29 @@ static void check_high_orders(void) {
   for (int k = 0; k <= ROT_PHI_HIGH; k++) ROT_CHECK(isnan(phi[k]));
 }
 
-/* Driven, the residual of z counts for every order: phi_k(-(z + z_lo)). */
+/* Driven, the residual of z counts for every order, however few are asked: phi_k(-(z + z_lo)). */
 static void check_high_residual(void) {
   const double z[] = {-3.0, -20.0, -100.0};
   for (int i = 0; i < 3; i++) {
-    double with[ROT_PHI_HIGH + 1], at[ROT_PHI_HIGH + 1];
-    rot_phi_high(z[i], 0x1p-30, ROT_PHI_HIGH, with);
-    rot_phi_high(z[i] + 0x1p-30, 0.0, ROT_PHI_HIGH, at);
-    for (int k = 0; k <= ROT_PHI_HIGH; k++) ROT_CHECK_REL(with[k], at[k], 3e-15);
+    for (int k_max = 1; k_max <= ROT_PHI_HIGH; k_max++) {
+      double with[ROT_PHI_HIGH + 1], at[ROT_PHI_HIGH + 1];
+      rot_phi_high(z[i], 0x1p-30, k_max, with);
+      rot_phi_high(z[i] + 0x1p-30, 0.0, ROT_PHI_HIGH, at);
+      for (int k = 0; k <= k_max; k++) ROT_CHECK_REL(with[k], at[k], 3e-15);
+    }
+  }
+}
+
+/* Few orders of a decay are those of rot_phi(), bit for bit. */
+static void check_high_of_few(void) {
+  const double z[] = {0.0, 0.3, 2.5, 40.0};
+  for (int i = 0; i < 4; i++) {
+    for (int k_max = 0; k_max <= ROT_PHI_MAX; k_max++) {
+      double high[ROT_PHI_MAX + 1], low[ROT_PHI_MAX + 1];
+      rot_phi_high(z[i], 0x1p-56, k_max, high);
+      rot_phi(z[i], 0x1p-56, k_max, low);
+      for (int k = 0; k <= k_max; k++) ROT_CHECK(high[k] == low[k]);
+    }
   }
 }
 
@@ -553,5 +568,6 @@ int main(void) {
   check_shared_table();
   check_high_orders();
   check_high_residual();
+  check_high_of_few();
   return rot_test_report("phi");
 }

@@ -143,6 +143,20 @@ static void check_derivatives(void) {
   }
 }
 
+/* Of a swing of 1e-164 rad the squares leave the doubles, and the derivative by the quadratic loss
+ * begins with terms that are 0: theta = exp(-g t) (A cosh(k t) + g A/k sinh(k t)) all the same. */
+static void check_faint(void) {
+  const double a = 1e-164, g = 20.0, k = sqrt(g * g - 1.0);
+  const double t[] = {0.02, 0.1, 0.5};
+  double y[3], d[3 * P];
+  const rot_swing swing = swing_of(a, 0.0, 1.0, g, 0, 0, 1, 0);
+  ROT_CHECK_EQ_INT(rot_swing_rows(&swing, 0.0, 3, t, NULL, y, d), ROT_OK);
+  for (int i = 0; i < 3; i++) {
+    const double x = k * t[i];
+    ROT_CHECK_REL(y[i], a * exp(-g * t[i]) * (cosh(x) + g / k * sinh(x)), 1e-13);
+  }
+}
+
 static void check_refusals(void) {
   double t[2] = {0.0, 1.0}, y[2], d[2 * P];
   rot_swing swing = swing_of(0.1, 0, 0, 0, 0, 0, 0, 0);
@@ -167,6 +181,7 @@ int main(void) {
   check_quadratic_pendulum();
   check_period();
   check_derivatives();
+  check_faint();
   check_refusals();
   return rot_test_report("swing");
 }

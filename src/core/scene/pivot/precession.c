@@ -28,8 +28,7 @@ static void release(const rot_precession_input *in, double weight, rot_precessio
   }
   const rot_top_nutation n = rot_top_nutates(&motion);
   out->nutation_s = n.period_s;
-  out->lowest_deg =
-      acos(fmax(-1.0, fmin(1.0, weight < 0.0 ? n.highest_cosine : n.lowest_cosine))) * (180.0 / pi);
+  out->lowest_deg = acos(weight < 0.0 ? n.highest_cosine : n.lowest_cosine) * (180.0 / pi);
   out->mean_rad_per_s = n.precession_rad / n.period_s;
 }
 

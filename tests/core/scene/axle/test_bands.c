@@ -199,6 +199,21 @@ static void check_edges(void) {
 }
 
 /* Through three bands by constant torque: the times are logarithms. */
+/* Torque 6 - 3 omega below the edge at 2 rad/s, 1e-15 N m on it: omega = 2 - 2 exp(-3 t) is put on
+ * the edge as soon as its error hides the difference, by which the bound grows. */
+static void check_put_on_edge(void) {
+  const double curve[] = {3, 0.0, 2.0, 3.0, 6.0, 1e-15, 3.0};
+  for (double end = 10.5; end <= 11.8; end += 0.1) {
+    const double t[] = {1.0, end}, off = 2.0 * exp(-3.0 * end);
+    rot_axle_scene s = plain_scene(1.0, 0.0, 0.0, 0.0);
+    rot_term term;
+    with_curve(&s, &term, 7, curve);
+    go(&s, 2, t);
+    ROT_CHECK(r.status == ROT_OK);
+    ROT_CHECK(fabs(r.omega[1] - 2.0 + off) <= r.info.measure[ROT_OMEGA].error + 4e-16);
+  }
+}
+
 static void check_crossing_times(void) {
   /* Motor: 10 N m up to 1, falling to 4 at 3, held. I = 2, c = 1. */
   const double curve[] = {2, 1.0, 3.0, 10.0, 4.0};
@@ -322,6 +337,7 @@ int main(void) {
   check_drag();
   check_ramp();
   check_edges();
+  check_put_on_edge();
   check_crossing_times();
   check_stiff_crossing();
   check_rising();

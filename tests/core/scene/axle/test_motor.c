@@ -108,11 +108,31 @@ static void check_growing(void) {
   ROT_CHECK(info.measure[ROT_THETA].error > plain.measure[ROT_THETA].error);
 }
 
+/* From above, over times in which the first motion has decayed: the slope has an error of d =
+ * ROT_EPS (|motor| + c), which changes omega by at most 3.4 d/c of its largest value, and theta by
+ * as much over a time I/c, and beside by that fraction of the twelve roundings of its terms. */
+static void check_error_over_long_times(void) {
+  const double long_s[ROWS] = {0.0, 1e3, 1e5};
+  const rot_axle_scene scene = motor_scene(0.5, 0.25);
+  rot_info info, plain;
+  ROT_CHECK_EQ_INT(rot_axle_linear(&scene.linear, ROWS, long_s, &out, NULL, &plain), ROT_OK);
+  info = plain;
+  rot_axle_motor_error(&scene, ROWS, long_s, &info);
+  const double part = 3.5 * (0.5 + 0.75) / 0.75;
+  const double omega = part * ROT_EPS * info.measure[ROT_OMEGA].largest;
+  const double theta = part / 12.0 * plain.measure[ROT_THETA].error + 2.0 / 0.75 * omega;
+  const double of_omega = info.measure[ROT_OMEGA].error - plain.measure[ROT_OMEGA].error;
+  const double of_theta = info.measure[ROT_THETA].error - plain.measure[ROT_THETA].error;
+  ROT_CHECK(of_omega > 0.5 * omega && of_omega <= omega);
+  ROT_CHECK(of_theta > 0.5 * theta && of_theta <= theta);
+}
+
 int main(void) {
   check_columns();
   check_ledger();
   check_error();
   check_no_motor();
   check_growing();
+  check_error_over_long_times();
   return rot_test_report("axle_motor");
 }

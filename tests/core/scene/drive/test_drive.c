@@ -269,6 +269,28 @@ static void a_gear_loses_power(void) {
   }
 }
 
+/* From rest without a contact the power flows forward, whichever way the torque pushes. */
+static void a_lossy_gear_starts(void) {
+  for (int way = -1; way <= 1; way += 2) {
+    rot_drive_system s;
+    double y[16] = {0.0};
+    signed char mode[4] = {ROT_DRIVE_OPEN, ROT_DRIVE_OPEN, ROT_DRIVE_OPEN, ROT_DRIVE_OPEN};
+    clear();
+    rotor[0] = body(0.2, 3.0 * way, 0.0);
+    rotor[1] = body(1.8, 0.0, 0.0);
+    coupling[0].kind = ROT_DRIVE_GEAR;
+    coupling[0].ratio = 3.0;
+    coupling[0].efficiency = 0.8;
+    const rot_drive_scene scene = scene_of(2);
+    ROT_CHECK(rot_drive_system_new(&s, &scene) == ROT_OK);
+    ROT_CHECK(rot_drive_forces(&s, 0.0, y, mode) == ROT_OK);
+    ROT_CHECK_ULP(s.alpha[0], 3.0 / 0.45 * way, 4);
+    ROT_CHECK_ULP(s.alpha[1], 1.0 / 0.45 * way, 4);
+    ROT_CHECK_ULP(s.torque[0], 3.0 * 0.25 / 0.45 * way, 8); /* what the gear takes */
+    rot_drive_system_free(&s);
+  }
+}
+
 static void effects_are_seen(void) {
   clear();
   rotor[0] = body(1.0, 2.0, 0.0);
@@ -295,6 +317,7 @@ int main(void) {
   a_clutch_locks();
   a_brake_stops_a_geared_load();
   a_gear_loses_power();
+  a_lossy_gear_starts();
   effects_are_seen();
   rot_events_free(&run.events);
   return rot_test_report("drive");

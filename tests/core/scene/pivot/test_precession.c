@@ -57,6 +57,19 @@ static void test_signs(void) {
   ROT_CHECK(rot_precession_sleeps(0.01, 0.02, 1.0, -0.1, 10.0) == 0.0);
 }
 
+/* Upright or hanging, and without weight, it keeps its angle. From the horizontal, barely spinning,
+ * it swings through the bottom. */
+static void test_ends(void) {
+  for (int lever = -1; lever <= 1; lever++) {
+    for (int half = 0; half <= (lever < 0 ? 1 : 2); half++) {
+      const rot_precession_input in = {1.0, 0.1 * lever, 0.01, 1e-9, 0.02, 90.0 * half, 10.0};
+      const double lowest = rot_precession_of(&in).lowest_deg;
+      const double want = half != 1 || lever == 0 ? 90.0 * half : 90.0 + 90.0 * lever;
+      ROT_CHECK(fabs(lowest - want) <= 1e-5);
+    }
+  }
+}
+
 /* The same top in other units of mass and time. */
 static void test_scales(void) {
   const rot_precession_input in = {1.0, 0.5, 0.25, 8.0, 0.375, 60.0, 8.0};
@@ -80,6 +93,7 @@ int main(void) {
   test_horizontal();
   test_table();
   test_signs();
+  test_ends();
   test_scales();
   return rot_test_report("precession");
 }
