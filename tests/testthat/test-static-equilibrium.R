@@ -484,3 +484,61 @@ test_that("a problem in numbers whose contact has no reactions is refused", {
     expect_error(.Call(ffi_statics_solve, problem), "internal")
   }
 })
+
+# A structure of bench/coverage/statics.R at the edge of rest: two surfaces that cannot slide, of one
+# normal, may be squeezed without limit, as a linear program in exact directions says. The search has
+# no answer beyond 1e10 times the loads.
+test_that("a range that is not bounded is not given a far bound", {
+  normal <- c(0.77035564667771, -0.303156203922847, 0.560935373866595)
+  x <- static_equilibrium(
+    forces(
+      load_force(
+        c(1.47648949404312, -4.44794782887807, -1.14072231821282),
+        c(-0.0156687890916224, 0.0413912683469518, -0.00656717601011748)
+      ),
+      load_force(
+        c(-2.77643049230985, 3.74716288530595, 2.54714454204311),
+        c(-0.0338298306230141, -0.0100212470103778, 0.0166785932074493)
+      ),
+      load_couple(c(0.345406349218839, -0.148811593034169, 0.187667067370903))
+    ),
+    list(
+      s1 = support_surface(
+        c(0.00398391138370484, -0.0101492232516916, 0.0367783258364228), normal, friction = Inf
+      ),
+      s2 = support_surface(
+        c(-0.00902559260343295, 0.0085912426763352, -0.0114976334930544),
+        c(-0.158016374521525, -0.943067422491792, -0.292668177323333), friction = 0
+      ),
+      s3 = support_rod(
+        c(-0.00538057757827384, -0.0355836257239149, -0.0326523456229543),
+        c(0.0885042655383402, 0.195341578787111, -0.0367852827680744)
+      ),
+      s4 = support_surface(
+        c(-0.0263859898172759, -0.0258155529847502, 0.0235093498019939),
+        c(0.798845934656411, 0.349833439073925, 0.489348278415931), friction = 1.2622729345574
+      ),
+      s5 = support_cable(
+        c(0.0257106123563686, 0.0330625976242817, 0.0108706269218386),
+        c(0.0585901617004607, 0.0201235876892783, 0.0348119096052762)
+      ),
+      s6 = support_surface(
+        c(0.022711855197292, 0.0158692208322221, -0.0200727463650268),
+        c(0.859908225746299, 0.182951162135619, -0.47653616396563), friction = 0
+      ),
+      s7 = support_surface(
+        c(-0.0201164484842, -0.0417847449280092, 0.0288573813147612), normal, friction = Inf
+      ),
+      s8 = support_rod(
+        c(0.0361439881141298, 0.0305690177605245, 0.0424856646626491),
+        c(0.0322842238955802, 0.0278478199520597, 0.0463157728408112)
+      )
+    )
+  )
+  r <- reactions(x)
+  squeezed <- r[r$support %in% c("s1", "s7"), ]
+  expect_identical(squeezed$lowest, rep(-Inf, 6))
+  expect_identical(squeezed$highest, rep(Inf, 6))
+  # What the loads alone decide stays bounded.
+  expect_lt(max(r$highest[r$support %in% c("s5", "s6")]), 1e-3)
+})

@@ -892,6 +892,11 @@ static double cut_of(const cone_system *sys, const rot_dd g[], double good, doub
   return part > 0.0 && part < 1.0 ? bound + 1e-6 * (t - bound) : t;
 }
 
+/* Beyond this multiple of the loads a limit is believed only if it is proved that there is none
+ * further: two surfaces of one normal were squeezed to 1e10 times the loads, where the search has no
+ * answer. */
+#define FAR_LIMIT 1e8
+
 /* feasible t => largest feasible t in direction `sign` for the right-hand side c + t g. Unbounded
  * if g is feasible; else growing steps, cuts and bisection. A search without an answer counts as
  * infeasible. */
@@ -899,7 +904,7 @@ static rot_status extreme(cone_system *sys, const rot_dd g[], double sign, doubl
                           double *limit) {
   const size_t m = sys->cone.m;
   rot_dd c[ROT_CONE_ROWS];
-  int found;
+  int found, proved = 0;
   double gap, good = t, bad = sign * INFINITY, step = fmax(1e-3 * fabs(t), 1e-6), part = 0.5;
   memcpy(c, sys->c, sizeof c);
   for (size_t i = 0; i < m; i++) sys->c[i] = zero();
@@ -917,12 +922,13 @@ static rot_status extreme(cone_system *sys, const rot_dd g[], double sign, doubl
     if (found) {
       good = next;
     } else {
-      bad = isnan(gap) ? cut_of(sys, g, good, next) : next;
+      proved = isnan(gap);
+      bad = proved ? cut_of(sys, g, good, next) : next;
       if ((bad - next) * sign < 0.0) part = 0.999;
     }
     step *= 4.0;
   }
-  *limit = good;
+  if (proved || fabs(good) < FAR_LIMIT) *limit = good;
   return ROT_OK;
 }
 
