@@ -64,6 +64,7 @@ autoplot.rot_coast_fit <- function(object, ..., run = 1, base_size = 13) {
     ) +
     ggplot2::geom_line(colour = colour, linewidth = 0.05 * base_size) +
     ggplot2::facet_wrap(~panel, ncol = 1, scales = "free") +
+    ggplot2::scale_x_continuous(breaks = plot_breaks(base_size), guide = plot_axis()) +
     ggplot2::scale_y_continuous(breaks = plot_breaks(base_size, 4)) +
     ggplot2::labs(
       title = wrap_title("Coast-down: the motion fitted, and what it leaves over", base_size),

@@ -57,3 +57,14 @@ audited <- function(x) {
     momentum_residual_kg_m2_per_s = a$residual[2], momentum_rounding_kg_m2_per_s = a$rounding[2]
   )
 }
+
+# The axes of pictures have few labels, and fewer with large letters; `draw` takes base_size.
+expect_few_labels <- function(draw) {
+  for (size in c(13, 30)) {
+    panels <- ggplot2::ggplot_build(draw(size))$layout$panel_params
+    for (axis in c("x", "y")) {
+      labels <- vapply(panels, function(one) sum(!is.na(one[[axis]]$breaks)), 0L)
+      expect_lte(max(labels), if (size == 13) 7 else 4)
+    }
+  }
+}

@@ -15,6 +15,7 @@ test_that("a collision is drawn before and after, in one scale", {
     expect_match(plot$labels$alt, "Before: .* After: ")
   }
   bounce <- hits[[1]]
+  expect_few_labels(function(size) ggplot2::autoplot(bounce, base_size = size))
   plot <- ggplot2::autoplot(bounce)
   expect_match(plot$labels$alt, "Before: the ball: 20.6 m/s, 300 rad/s", fixed = TRUE)
   arrows <- Filter(function(data) "arrow" %in% names(data) || nrow(data) == 2L,

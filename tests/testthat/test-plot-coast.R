@@ -15,6 +15,7 @@ test_that("a coast-down's panels: the motion with its samples, residuals, the to
   expect_match(panels[1], "angular velocity (rad/s), by time (s)", fixed = TRUE)
   expect_match(panels[2], "residual (rad/s)", fixed = TRUE)
   expect_match(panels[3], "deceleration (rad/s^2)", fixed = TRUE)
+  expect_few_labels(function(size) ggplot2::autoplot(fit, base_size = size))
   line <- plot$data[plot$data$panel == panels[1], ]
   expect_equal(range(line$x), c(0, 8))
   expect_lt(max(abs(line$y - coasting(line$x)$omega_rad_per_s)), 0.02)

@@ -49,6 +49,8 @@ test_that("units and a torque are drawn where asked for", {
   expect_match(levels[1], "degree")
   expect_match(levels[2], "rpm")
   expect_match(levels[3], "net torque")
+  fit <- struck_motion()
+  expect_few_labels(function(size) ggplot2::autoplot(fit, base_size = size))
   expect_error(ggplot2::autoplot(struck_motion(), unit = "rpm"), class = "rotdyn_error_argument")
 })
 

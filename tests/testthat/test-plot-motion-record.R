@@ -16,6 +16,7 @@ test_that("angle and rate have panels, few samples are points, with what was rea
   expect_match(plot$labels$subtitle, "40 samples in 2 segments")
   expect_match(plot$labels$subtitle, "50 Hz")
   expect_match(plot$labels$alt, "angular velocity")
+  expect_few_labels(function(size) ggplot2::autoplot(two_segments(20), base_size = size))
 })
 
 test_that("no line joins segments or the sides of a missing value", {

@@ -11,6 +11,7 @@ test_that("what varies most is across, the other colours", {
   drawn <- plot$data
   expect_equal(levels(drawn$key), c("0", "0.03", "0.3"))
   final <- drawn[drawn$panel == "final omega (rad/s)", ]
+  expect_few_labels(function(size) ggplot2::autoplot(table, base_size = size))
   expect_equal(final$value, table$final_omega_rad_per_s)
   expect_equal(final$across, table$moment_of_inertia_kg_m2)
   for (size in c(13, 24)) {

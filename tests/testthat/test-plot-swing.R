@@ -58,12 +58,5 @@ test_that("swings of about the period are drawn, used or not; others only where 
 
 test_that("an axis has few labels, and fewer with large letters", {
   fit <- noisy_swing()
-  labels <- function(axis, size) {
-    panels <- ggplot2::ggplot_build(ggplot2::autoplot(fit, base_size = size))$layout$panel_params
-    max(vapply(panels, function(one) sum(!is.na(one[[axis]]$breaks)), 0L))
-  }
-  for (axis in c("x", "y")) {
-    expect_lte(labels(axis, 13), 7)
-    expect_lte(labels(axis, 30), 4)
-  }
+  expect_few_labels(function(size) ggplot2::autoplot(fit, base_size = size))
 })

@@ -11,6 +11,7 @@ test_that("the plot shows the numbers of the table", {
   expect_silent(built <- ggplot2::ggplot_build(ggplot2::autoplot(motion)))
   drawn <- ggplot2::autoplot(motion)$data
   theta <- drawn[drawn$panel == "angle (rad)", ]
+  expect_few_labels(function(size) ggplot2::autoplot(motion, base_size = size))
   expect_equal(theta$value, motion$theta_rad)
   damping <- drawn[drawn$line == "damping", ]
   expect_equal(damping$value, motion$damping_torque_n_m)
