@@ -336,6 +336,18 @@ test_that("the seven laws are compared", {
   expect_setequal(laws$parameters, 3:5)
 })
 
+test_that("a noise that is given is taken as it is, both of its numbers", {
+  fit <- fit_coast_down(noisy(coasting(), 0.005))
+  problem <- coast_fit(fit, "fit", NULL)$runs[[1]]$problem
+  fitted <- lapply(c(0.25, 1), function(white) {
+    problem$noise <- c(0.5, white)
+    .Call(rotdyn:::ffi_coast_fit, problem, 0)
+  })
+  expect_identical(fitted[[1]]$numbers[2:3], c(0.5, 0.25))
+  expect_identical(fitted[[2]]$numbers[2:3], c(0.5, 1))
+  expect_gt(abs(fitted[[1]]$numbers[7] / fitted[[2]]$numbers[7] - 1), 0.01)
+})
+
 test_that("what is no coast-down is refused, in words", {
   grows <- data.frame(time_s = 0:50, theta_rad = (0:50)^2)
   expect_error(fit_coast_down(grows), "its speed grows", class = "rotdyn_error_value")

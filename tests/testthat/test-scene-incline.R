@@ -146,6 +146,9 @@ test_that("a critical angle of what is missing is missing", {
   expect_identical(
     rolling_critical_angle(c(NA, 1, NA), c(0.5, NA, NA)), rep(NA_real_, 3)
   )
+  # Also beside a body that never slides, or friction that always holds: 90 degrees.
+  found <- rolling_critical_angle(c(NaN, 1, NA, 0), c(0.5, NaN, Inf, NA))
+  expect_true(identical(found, rep(NA_real_, 4))) # NA, which expect_identical() takes NaN for
 })
 
 test_that("a short step at the start of a narrow change of the force counts in the error", {

@@ -116,3 +116,15 @@ test_that("a brake on an axle", {
   )
   expect_error(scene_axle(1, brake = 3), class = "rotdyn_error_type")
 })
+
+test_that("a resistance that was left out of the motion has its heat all the same", {
+  # I omega' = cos(3 t): omega = 10 + sin(3 t)/6; heat: the integral of q omega^3.
+  scene <- scene_axle(
+    2, torque_sinusoid(1, 3), resistance(quadratic_n_m_s2 = 1e-6), omega0_rad_per_s = 10
+  )
+  motion <- trajectory(scene, 0:4, accuracy = 1e-2)
+  expect_identical(summary(motion)$model, "axle_forced")
+  heat <- function(t) 1e-6 * (10 + sin(3 * t) / 6)^3
+  want <- vapply(0:4, function(t) stats::integrate(heat, 0, t, rel.tol = 1e-12)$value, 0)
+  expect_equal(augment(motion)$dissipated_quadratic_j, want, tolerance = 1e-10)
+})

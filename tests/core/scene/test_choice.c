@@ -4,6 +4,8 @@
 #include "scene/choice.h"
 #include "scene/clutch/clutch.h"
 #include "scene/clutch/models.h"
+#include "scene/incline/models.h"
+#include "scene/incline/ode.h"
 #include "scene/shaft/shaft.h"
 #include "scene/shaft/models.h"
 
@@ -342,6 +344,46 @@ static void check_shaft_and_clutch(void) {
   ROT_CHECK_EQ_INT(rot_choice_pick(&rot_clutch_constraint, &c, &q, picked), 0);
 }
 
+static double cost_of(const rot_constraint *c, const char *id, const void *scene, size_t n,
+                      const double time_s[]) {
+  const rot_query q = query(n, time_s, 1e-9);
+  const rot_model *m = rot_choice_model(c, id);
+  ROT_CHECK(m != NULL);
+  return m ? m->cost_s(m, scene, &q) : 0.0;
+}
+
+/* Closed forms of constant torques between events were measured to cost alike: a run of one row
+ * within a factor of 3, a further row of a clutch's two bodies or of an incline within one of 2. */
+static void check_costs_of_closed_forms(void) {
+  enum { MANY = 1001 };
+  static double even[MANY];
+  for (int i = 0; i < MANY; i++) even[i] = 0.25 * i;
+  const double ones[] = {1.0, 1.0}, none[] = {0.0, 0.0};
+  const rot_axle_scene axle = {.linear = {.inertia_kg_m2 = 1.0}};
+  const rot_shaft_params shaft = {2, ones, ones, none, none, none, none, ones, 0.0};
+  const rot_clutch_params clutch = {.inertia_kg_m2 = {1.0, 2.0}, .static_n_m = 1.0};
+  const rot_incline_scene incline = {.slope = {.mass_kg = 1.0, .radius_m = 1.0}};
+  double one[5], row[5];
+  for (int k = 0; k < 2; k++) {
+    const size_t n = k ? MANY : 1;
+    const double cost[] = {cost_of(&rot_clutch_constraint, "clutch_exact", &clutch, n, even),
+                           cost_of(&rot_incline_constraint, "incline_exact", &incline, n, even),
+                           cost_of(&rot_shaft_constraint, "rotors_modal", &shaft, n, even),
+                           cost_of(&rot_axle_constraint, "axle_free", &axle, n, even),
+                           cost_of(&rot_axle_constraint, "axle_linear", &axle, n, even)};
+    for (int i = 0; i < 5; i++) *(k ? &row[i] : &one[i]) = k ? (cost[i] - one[i]) / 1e3 : cost[i];
+  }
+  for (int i = 1; i < 5; i++) ROT_CHECK(one[i] < 3.0 * one[0] && one[0] < 3.0 * one[i]);
+  ROT_CHECK(row[0] < 2.0 * row[1] && row[1] < 2.0 * row[0]);
+  for (int i = 2; i < 5; i++) ROT_CHECK(row[i] > 0.0 && row[i] < 3.0 * row[0]);
+  /* Each step of a torque is another event: no more than a few rows. */
+  rot_clutch_params stepped = clutch;
+  stepped.torque_n_m[0].n = 1000;
+  const double step =
+      (cost_of(&rot_clutch_constraint, "clutch_exact", &stepped, 1, even) - one[0]) / 1e3;
+  ROT_CHECK(step > row[0] && step < 4.0 * row[0]);
+}
+
 /* A closed form with a bound promises some roundings; what is looser is a short cut of the top. */
 static void check_promises(void) {
   size_t n;
@@ -375,6 +417,7 @@ int main(void) {
   check_axle();
   check_axle_reasons();
   check_shaft_and_clutch();
+  check_costs_of_closed_forms();
   check_promises();
   check_estimates();
   return rot_test_report("choice");
