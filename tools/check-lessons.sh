@@ -20,7 +20,7 @@ all <- installed.packages()
 base <- rownames(all)[all[, "Priority"] %in% "base"]
 needed <- tools::package_dependencies(args[-1L], all, recursive = TRUE)
 needed <- setdiff(c(args[-1L], unlist(needed)), base)
-file.symlink(find.package(intersect(unique(needed), rownames(all))), args[1L])
+invisible(file.symlink(find.package(intersect(unique(needed), rownames(all))), args[1L]))
 END
   R_LIBS=$work/only R_LIBS_SITE=$work/only R_LIBS_USER=$work/only
   export R_LIBS R_LIBS_SITE R_LIBS_USER
