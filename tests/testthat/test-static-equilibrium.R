@@ -485,9 +485,9 @@ test_that("a problem in numbers whose contact has no reactions is refused", {
   }
 })
 
-# A structure of bench/coverage/statics.R at the edge of rest: two surfaces that cannot slide, of one
-# normal, may be squeezed without limit, as a linear program in exact directions says. The search has
-# no answer beyond 1e10 times the loads.
+# A structure of bench/coverage/statics.R at the edge of rest: two surfaces that cannot slide, of
+# one normal, may be squeezed without limit, as a linear program in exact directions says. The
+# search has no answer beyond 1e10 times the loads.
 test_that("a range that is not bounded is not given a far bound", {
   normal <- c(0.77035564667771, -0.303156203922847, 0.560935373866595)
   x <- static_equilibrium(

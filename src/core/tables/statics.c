@@ -893,8 +893,8 @@ static double cut_of(const cone_system *sys, const rot_dd g[], double good, doub
 }
 
 /* Beyond this multiple of the loads a limit is believed only if it is proved that there is none
- * further: two surfaces of one normal were squeezed to 1e10 times the loads, where the search has no
- * answer. */
+ * further: two surfaces of one normal were squeezed to 1e10 times the loads, where the search has
+ * no answer. */
 #define FAR_LIMIT 1e8
 
 /* feasible t => largest feasible t in direction `sign` for the right-hand side c + t g. Unbounded
