@@ -176,4 +176,9 @@ test_that("a motion without some effects is measured between its rows", {
   expect_equal(run_of(motion)$dropped$effects, "quadratic")
   expect_lt(max(abs(motion$omega_rad_per_s)), 1e-12)
   expect_equal(run_of(motion)$info$sizes[["omega"]], 0.1, tolerance = 0.01)
+  # Also where the figure of the rows alone is small.
+  turning <- scene_axle(1, kick, resistance(0, 1e-10), omega0_rad_per_s = 0.01)
+  motion <- trajectory(turning, c(0, 10), 1e-3)
+  expect_lt(run_of(motion)$info$error, 1e-3)
+  expect_equal(run_of(motion)$info$sizes[["omega"]], 0.11, tolerance = 0.01)
 })
