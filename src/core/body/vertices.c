@@ -171,6 +171,16 @@ static int cross_where_they_touch(size_t n, const corner c[], size_t p, size_t q
   return goes_through(a, v, b, s, w) || goes_through(s, w, t, a, v);
 }
 
+/* 1 if the edges a, b and s, t run along each other in one direction, for more than rounding: the
+ * area beside them would count twice. (In opposite directions they are a slit, as to a hole.) */
+static int run_together(const rot_dd a[], const rot_dd b[], const rot_dd s[], const rot_dd t[]) {
+  if (side(a, b, s) != 0 || side(a, b, t) != 0 || side(s, t, a) != 0) return 0;
+  const double x = b[0].hi - a[0].hi, y = b[1].hi - a[1].hi, length = x * x + y * y;
+  const double from = (s[0].hi - a[0].hi) * x + (s[1].hi - a[1].hi) * y;
+  const double to = (t[0].hi - a[0].hi) * x + (t[1].hi - a[1].hi) * y;
+  return fmin(length, to) - fmax(0.0, from) > 8.0 * ROT_EPS * fmax(length, fabs(to) + fabs(from));
+}
+
 typedef struct edge_box {
   double low, high, bottom, top; /* range of x, range of y */
   size_t from;                   /* first vertex of the edge */
@@ -203,7 +213,7 @@ static rot_status find_crossing(size_t n, const corner c[], edge_box box[], cons
       const size_t p = box[i].from, q = box[j].from;
       const rot_dd *a = c[p].x, *b = c[(p + 1) % n].x, *s = c[q].x, *t = c[(q + 1) % n].x;
       if ((side(a, b, s) * side(a, b, t) < 0 && side(s, t, a) * side(s, t, b) < 0) ||
-          cross_where_they_touch(n, c, p, q)) {
+          cross_where_they_touch(n, c, p, q) || run_together(a, b, s, t)) {
         edge[0] = p < q ? p : q;
         edge[1] = p < q ? q : p;
         *found = 1;

@@ -243,6 +243,11 @@ static void check_corner(void) {
   const double on[7][2] = {{0, 2}, {0, 0}, {2, 0}, {0, -1}, {-1, 0}, {0, 0}, {1, 1}};
   const double beside[7][2] = {{0, 2}, {0, 0}, {2, 0}, {0, -1}, {-1, 0}, {0, 0}, {-1, 1}};
   const double along[7][2] = {{0, 4}, {0, 0}, {4, 0}, {4, 1}, {1, 0}, {0, 0}, {1, 1}};
+  /* Two edges along each other in one direction: a loop inside, and a way through. */
+  const double twice[6][2] = {{0, 2}, {0, 0}, {1, 0}, {0.5, 0.5}, {0, 0}, {2, 0}};
+  const double through[7][2] = {{0, 2}, {0, 0}, {2, 0}, {2, -1}, {0.5, 0}, {1, 0}, {1.5, 1}};
+  check_outline(6, twice, 1, 0.0);
+  check_outline(7, through, 1, 0.0);
   check_outline(6, crosses, 1, 0.0);
   check_outline(6, touches, 0, 2.0);
   check_outline(7, on, 1, 0.0);
