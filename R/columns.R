@@ -469,6 +469,8 @@ column_list <- list(
   c("gravity_alone_m_per_s2", "m/s^2", "acceleration of gravity from this pivot alone"),
   c("output", "", "the quantity computed"),
   c("input", "", "the quantity that contributes"),
+  c("output", "", "name of the output"),
+  c("domain", "", "numbers that it takes"),
   c("u", "", "standard uncertainty, in the unit of the value"),
   c("dof", "1", "degrees of freedom"),
   c("sensitivity", "", "change of the output for that of the input"),
@@ -595,7 +597,7 @@ summary_columns <- c(
   "max_rotational_kinetic_energy_time_s", "final_theta_rad", "model", "accuracy", "error",
   "error_kind", "steps", "rhs_calls"
 )
-sweep_columns <- c(
+spin_up_table_columns <- c(
   "final_theta_rad", "final_omega_rad_per_s", "max_omega_rad_per_s", "max_omega_time_s",
   "min_omega_rad_per_s", "max_abs_omega_rad_per_s", "error"
 )
@@ -847,3 +849,9 @@ spelled_units <- function() {
   words <- gsub("[ .]", "_", gsub("/", "_per_", gsub("^", "", tolower(units), fixed = TRUE)))
   stats::setNames(c(units, "degree"), c(words, "deg"))
 }
+sweep_inputs_columns <- c("input", "unit", "value", "domain", "meaning")
+sweep_inputs_meanings <- c(
+  input = "its path", value = "in the scene; NaN where it follows from others, or is an object",
+  meaning = "in words"
+)
+sweep_outputs_columns <- c("output", "unit", "meaning")

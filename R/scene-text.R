@@ -104,6 +104,13 @@ scene_source <- function(file, call) {
 
 scene_text <- function(scene, call) json_text(scene_node(scene, call))
 
+# The node of a scene whose R functions are left in it: no text can be made of such a node.
+scene_node_with_functions <- function(scene, call) {
+  registry_texts$functions <- TRUE
+  on.exit(registry_texts$functions <- NULL)
+  scene_node(scene, call)
+}
+
 # The node of a scene or a body, with the format.
 scene_node <- function(scene, call) {
   if (is.null(registry_texts$nodes)) {
@@ -215,7 +222,10 @@ text_node <- function(x, where, call) UseMethod("text_node")
 
 #' @export
 text_node.default <- function(x, where, call) {
-  if (is.function(x)) abort_function_text(where, NULL, call)
+  if (is.function(x)) {
+    if (isTRUE(registry_texts$functions)) return(x)
+    abort_function_text(where, NULL, call)
+  }
   if (is.data.frame(x)) return(as.list(x))
   if (is.list(x)) {
     parts <- if (is.null(names(x))) sprintf("[[%d]]", seq_along(x)) else paste0("$", names(x))

@@ -70,6 +70,7 @@ text_node.rot_torque_motor <- function(x, where, call) {
 
 #' @export
 text_node.rot_torque_function <- function(x, where, call) {
+  if (isTRUE(registry_texts$functions)) return(x)
   abort_function_text(where, paste(
     "{.fn torque_knots}, {.fn torque_polynomial}, {.fn torque_curve} and their sums have one."
   ), call)

@@ -140,7 +140,9 @@ layers='
 6 scene/drive
 6 scene/pivot
 7 scene
-8 api
+8 object
+9 sweep
+10 api
 '
 # INCLUDER:LINE UNIT INCLUDED: a unit is x.c with x.h.
 at='src/core/\([a-z0-9_/]*\)\.[ch]:[0-9]*'

@@ -184,7 +184,7 @@ if test -d "$work/rotdyn.Rcheck/rotdyn"; then
     *) verdict skip "the locale tr_TR.UTF-8 is not installed" ;;
   esac
   cp -R tests "$work/tests"
-  for topic in check columns read-links read-ply shapes sweep units; do
+  for topic in check columns read-links read-ply shapes spin-up-table units; do
     if env LC_ALL="$locale" OMP_THREAD_LIMIT=1 NOT_CRAN=true \
       R_LIBS="$work/rotdyn.Rcheck:$R_LIBS" Rscript -e "library(testthat); library(rotdyn)
         test_file('$work/tests/testthat/test-$topic.R', package = 'rotdyn',

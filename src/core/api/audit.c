@@ -32,23 +32,6 @@ static rotdyn_status open_rows(const rot_constraint *c, size_t n, size_t rows_pe
   return ROTDYN_OK;
 }
 
-/* => all columns at one time, rows_per_time values each; NaN for a column that is not shown */
-static void cells_of(const rot_constraint *c, const void *scene, const rows *r, size_t row,
-                     size_t rows_per_time, double cell[]) {
-  const unsigned effects = c->effects_of(scene);
-  for (size_t i = 0; i < c->n_columns; i++) {
-    const rot_column_of *column = &c->columns[i];
-    const int shown = rot_run_shows(c, scene, effects, i);
-    for (size_t k = 0; k < rows_per_time; k++) {
-      const size_t at = row * rows_per_time + k;
-      const int flag = column->flag ? ((const int *)r->column[i])[at] : 0;
-      const double x =
-          column->flag ? (flag < 0 ? (double)NAN : flag) : ((const double *)r->column[i])[at];
-      cell[i * rows_per_time + k] = shown ? x : (double)NAN;
-    }
-  }
-}
-
 /* => flows from the first to the last time. An adaptive model integrates them with all rows; a
  * closed form computes them at the two times only, as for R. */
 static rotdyn_status run_flows(rot_api_work *w, const void *scene, size_t n, const double time_s[],
@@ -76,10 +59,9 @@ static rotdyn_status run_flows(rot_api_work *w, const void *scene, size_t n, con
   return rot_api_status(o.info.status);
 }
 
-/* terms => balance; sums in long double, as R's sum() */
+/* terms => balance */
 static void fill_balance(const rot_constraint *c, const void *scene, size_t k, const double term[],
                          const double explained[], rotdyn_balance *b) {
-  long double sum[3] = {0.0L, 0.0L, 0.0L};
   const char *why[ROT_MAX_CAUSES];
   for (size_t i = 0; i < c->n_terms && b->n_terms < 16; i++) {
     const rot_balance_term *of = &c->terms[i];
@@ -88,18 +70,17 @@ static void fill_balance(const rot_constraint *c, const void *scene, size_t k, c
     b->term[b->n_terms] = words;
     b->role[b->n_terms] = (int)of->role;
     b->value[b->n_terms++] = term[i];
-    sum[of->role] += term[i];
   }
+  const rot_balance_sums sums = rot_run_balance(c, scene, k, term, explained);
   b->quantity = c->balances[k].quantity;
   b->about = c->balances[k].about;
   b->unit = c->balances[k].unit;
-  b->supplied = (double)sum[ROT_SUPPLIED];
-  b->dissipated = (double)sum[ROT_DISSIPATED];
-  b->change = (double)sum[ROT_CHANGE];
-  b->residual = (b->change - b->supplied) + b->dissipated;
-  b->explained = explained[k];
-  b->balanced =
-      !isfinite(b->residual) || !isfinite(b->explained) ? -1 : fabs(b->residual) <= b->explained;
+  b->supplied = sums.supplied;
+  b->dissipated = sums.dissipated;
+  b->change = sums.change;
+  b->residual = sums.residual;
+  b->explained = sums.explained;
+  b->balanced = sums.balanced;
   if (c->n_kept && k >= c->n_kept) { /* conservation is unknown */
     b->conserved = -1;
     return;
@@ -133,8 +114,8 @@ static rotdyn_status audit(rot_api_work *w, size_t n, const double time_s[], siz
     rot_events_free(&o.events);
   }
   if (status == ROTDYN_OK) {
-    cells_of(c, scene, &r, 0, rows_per_time, cell);
-    cells_of(c, scene, &r, n - 1, rows_per_time, cell + cells);
+    rot_run_cells(c, scene, r.column, 0, cell);
+    rot_run_cells(c, scene, r.column, n - 1, cell + cells);
     for (size_t i = 0; i < o.info.n_measures; i++) error[i] = o.info.measure[i].error;
     if (o.picked.dropped && c->reduce) {
       void *solved = rot_store_get(&store, 1, c->scene_size);

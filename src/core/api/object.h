@@ -1,22 +1,9 @@
-/* Objects of the C interface (scenes, their parts, lists): values set by the caller, and their
- * translation for the builders of the core. */
+/* Objects of the C interface, and scenes built of them for one call. */
 #ifndef ROT_API_OBJECT_H
 #define ROT_API_OBJECT_H
 
 #include "api/interface.h"
-#include "engine/model.h"
-#include "ground/store.h"
-
-/* scene => its constraint; NULL for a part or a list */
-const rot_constraint *rot_api_constraint(const rotdyn_object *scene);
-
-/* object => inputs of a scene or a part, checked, with its parts built. In the store; valid as long
- * as the object. ROT_EVALUE: refused. */
-rot_status rot_api_given(const rotdyn_object *object, rot_store *store, rot_given **given,
-                         rot_refusal *refusal);
-
-/* 1 if the object contains a law of the caller. */
-int rot_api_calls(const rotdyn_object *object);
+#include "object/object.h"
 
 /* A scene built for one call, since threads may share objects. Begin with {0}. */
 typedef struct rot_api_built {

@@ -274,7 +274,7 @@ int rotdyn_scene_rows(const rotdyn_object *scene, size_t n, const rotdyn_rows_in
   rotdyn_status status = rot_api_open(scene, 0, NULL, options, &w);
   if (status == ROTDYN_OK) status = open_rows(&w, n, in, out, &m);
   if (status == ROTDYN_OK) {
-    const double max = rot_api_calls(scene) ? 1.0 : (double)w.options.threads;
+    const double max = rot_object_calls(scene) ? 1.0 : (double)w.options.threads;
     status = run_rows(&w, n, (int)fmin(fmax(max, 1.0), 4096.0), &m);
   }
   return rot_api_close(status, &w, report);

@@ -66,8 +66,11 @@ rotdyn_status rot_api_run(const rot_constraint *c, const void *scene, const rotd
                           const rot_hooks *hooks, size_t n, const double time_s[],
                           const rot_rows *want, rot_outcome *o, rotdyn_report *report) {
   const double max = fmin(options->max_steps, 1e15);
-  const rot_task task = {
-      .n = n, .time_s = time_s, .accuracy = options->accuracy, .max_steps = (size_t)max + n};
+  const rot_task task = {.n = n,
+                         .time_s = time_s,
+                         .accuracy = options->accuracy,
+                         .max_steps = (size_t)max + n,
+                         .asked = options->model != NULL};
   memset(o, 0, sizeof *o);
   const rot_run_end end =
       rot_run(c, scene, options->model, &task, options->law_call_s, want, o, hooks);

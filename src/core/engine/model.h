@@ -202,7 +202,8 @@ typedef struct rot_constraint {
                       rot_time_scales *time_scales); /* sizes of measures */
   /* NULL, or the times where what acts jumps or kinks, increasing, beside those of its inputs. */
   const double *(*breaks)(const void *scene, size_t *n);
-  int event_rows; /* its runs fill rot_rows.at_events */
+  int event_rows;  /* its runs fill rot_rows.at_events */
+  unsigned events; /* that its runs may log: a mask of 1 << rot_event */
   /* NULL, or which of the columns with `only_with` the rows of a scene have. */
   int (*shows)(const void *scene, size_t column);
   /* NULL, or the words of a term in this scene; NULL: it has no such term. */

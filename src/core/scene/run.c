@@ -222,7 +222,7 @@ rot_run_end rot_run(const rot_constraint *constraint, const void *scene, const c
   rot_run_end end = ROT_RUN_NONE_FITS;
   for (size_t i = 0; i < n && end == ROT_RUN_NONE_FITS; i++) {
     const int trial = picked[i].model->use == ROT_ON_TRIAL;
-    run_candidate(&j, &picked[i], task, model != NULL, out);
+    run_candidate(&j, &picked[i], task, model && task->asked, out);
     if (!trial || out->info.status != ROT_OK || out->error <= task->accuracy) end = ROT_RUN_DONE;
   }
   free(j.memory);
@@ -285,4 +285,37 @@ rot_status rot_run_audit(const rot_constraint *c, const void *scene, const rot_s
   }
   free(ends);
   return ROT_OK;
+}
+
+void rot_run_cells(const rot_constraint *c, const void *scene, void *const column[], size_t time,
+                   double cell[]) {
+  const unsigned effects = c->effects_of(scene);
+  const size_t rows_per_time = rot_run_rows_per_time(c, scene);
+  for (size_t i = 0; i < c->n_columns; i++) {
+    const int shown = rot_run_shows(c, scene, effects, i);
+    for (size_t k = 0; k < rows_per_time; k++) {
+      const size_t at = time * rows_per_time + k;
+      const int flag = c->columns[i].flag ? ((const int *)column[i])[at] : 0;
+      const double x =
+          c->columns[i].flag ? (flag < 0 ? (double)NAN : flag) : ((const double *)column[i])[at];
+      cell[i * rows_per_time + k] = shown ? x : (double)NAN;
+    }
+  }
+}
+
+rot_balance_sums rot_run_balance(const rot_constraint *c, const void *scene, size_t k,
+                                 const double term[], const double explained[]) {
+  long double sum[3] = {0.0L, 0.0L, 0.0L};
+  for (size_t i = 0; i < c->n_terms; i++) {
+    const rot_balance_term *of = &c->terms[i];
+    if (of->balance == k && rot_run_term_words(c, scene, i)) sum[of->role] += term[i];
+  }
+  rot_balance_sums s = {.change = (double)sum[ROT_CHANGE],
+                        .supplied = (double)sum[ROT_SUPPLIED],
+                        .dissipated = (double)sum[ROT_DISSIPATED],
+                        .explained = explained[k]};
+  s.residual = (s.change - s.supplied) + s.dissipated;
+  s.balanced =
+      !isfinite(s.residual) || !isfinite(s.explained) ? -1 : fabs(s.residual) <= s.explained;
+  return s;
 }

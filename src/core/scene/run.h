@@ -12,7 +12,7 @@ const rot_maker *rot_run_maker(const char *constructor, const rot_constraint **o
 rot_status rot_run_build(const rot_maker *maker, const rot_given given[], rot_store *store,
                          void *scene, rot_refusal *refusal);
 
-/* Result of a run. Initialise with {0}. */
+/* Result of a run. Initialise `events` with {0}; the rest is filled. */
 typedef struct rot_outcome {
   const rot_model *model; /* the model that ran; NULL: none */
   rot_candidate picked;   /* the judgement of that model */
@@ -27,7 +27,8 @@ typedef enum rot_run_end {
   ROT_RUN_NONE_FITS /* no model reaches the accuracy */
 } rot_run_end;
 
-/* (scene, task, model) => rows, outcome. `model`: the id of the model to run; NULL: choose. `want`:
+/* (scene, task, model) => rows, outcome. `model`: the id of the model to run, without a switch to
+ * another if task->asked; NULL: choose. `want`:
  * memory for the rows, without events. A column that is NULL is not returned; want->column NULL: no
  * column is. Columns that the scene does not show are not written. */
 rot_run_end rot_run(const rot_constraint *constraint, const void *scene, const char *model,
@@ -54,6 +55,20 @@ size_t rot_run_rows_per_time(const rot_constraint *constraint, const void *scene
  * value changes by its error, plus the rounding of the terms. */
 rot_status rot_run_audit(const rot_constraint *constraint, const void *scene, const rot_span *span,
                          double term[], double explained[]);
+
+/* (columns of a run, place of a time) => all columns at it, as rot_span has them: rows_per_time values
+ * each; NaN for a column that is not shown and a flag that means nothing. */
+void rot_run_cells(const rot_constraint *constraint, const void *scene, void *const column[],
+                   size_t time, double cell[]);
+
+/* One balance: residual = change - supplied + dissipated. */
+typedef struct rot_balance_sums {
+  double change, supplied, dissipated, residual, explained;
+  int balanced; /* 1: `explained` covers the residual; 0: it does not; -1: not known */
+} rot_balance_sums;
+/* (terms, explained of all balances) => balance k; sums in long double, as R's sum() */
+rot_balance_sums rot_run_balance(const rot_constraint *constraint, const void *scene, size_t k,
+                                 const double term[], const double explained[]);
 
 /* name => index of the column; constraint->n_columns: no column has this name. */
 size_t rot_run_column(const rot_constraint *constraint, const char *name);

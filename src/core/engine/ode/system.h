@@ -55,7 +55,9 @@ double rot_system_fixed_s(const rot_system *system, const rot_model *model, cons
   ROT_SYSTEM_RUNS(system)                                                                          \
   static const rot_model models[] = {ROT_SYSTEM_MODELS(#name "_", takes)};                         \
   static const rot_model_run runs[] = {ROT_SYSTEM_METHODS};                                        \
-  const rot_constraint rot_##name##_constraint = {ROT_CONSTRAINT(name, rot_turning)}
+  const rot_constraint rot_##name##_constraint = {                                                 \
+      ROT_CONSTRAINT(name, rot_turning),                                                           \
+      .events = 1u << ROT_EVENT_STICK | 1u << ROT_EVENT_SLIP | 1u << ROT_EVENT_REVERSE}
 
 /* The start, runs and costs of the static `system`, and its models as items of a list. */
 #define ROT_SYSTEM_RUNS(system)                                                                    \

@@ -306,6 +306,7 @@ const rot_constraint rot_axle_constraint = {
     .runs = rot_axle_runs,
     .scene_size = sizeof(rot_axle_built),
     .start_s = rot_axle_start_s,
+    .events = 1u << ROT_EVENT_STICK | 1u << ROT_EVENT_SLIP | 1u << ROT_EVENT_REVERSE,
     .n_flows = ROT_AXLE_FLOWS,
     .flows = rot_axle_flow_names,
     .n_balances = ROT_AXLE_BALANCES,

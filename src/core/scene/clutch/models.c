@@ -72,6 +72,7 @@ const rot_constraint rot_clutch_constraint = {
     .runs = rot_clutch_runs,
     .scene_size = sizeof(rot_clutch_params),
     .start_s = rot_clutch_start_s,
+    .events = 1u << ROT_EVENT_LOCK | 1u << ROT_EVENT_SLIP | 1u << ROT_EVENT_REVERSE,
     .n_flows = ROT_COUNT(flows),
     .flows = flows,
     .n_balances = ROT_CLUTCH_BALANCES,

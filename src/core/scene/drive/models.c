@@ -254,6 +254,8 @@ const rot_constraint rot_drive_constraint = {
     .runs = rot_drive_runs,
     .scene_size = sizeof(rot_drive_scene),
     .start_s = rot_drive_start_s,
+    .events = 1u << ROT_EVENT_LOCK | 1u << ROT_EVENT_STICK | 1u << ROT_EVENT_SLIP |
+              1u << ROT_EVENT_REVERSE,
     .index = "rotor",
     .rows_per_time = rot_drive_rows_per_time,
     .n_flows = ROT_DRIVE_FLOWS,

@@ -136,6 +136,7 @@ const rot_constraint rot_free_constraint = {
     .runs = rot_free_runs,
     .scene_size = sizeof(rot_free_built),
     .start_s = rot_free_start,
+    .events = 1u << ROT_EVENT_FLIP | 1u << ROT_EVENT_HIGHEST | 1u << ROT_EVENT_LOWEST,
     .n_flows = ROT_FREE_FLOWS,
     .flows = rot_free_flow_names,
     .n_balances = ROT_COUNT(balances),

@@ -126,6 +126,8 @@ const rot_constraint rot_incline_constraint = {
     .runs = rot_incline_runs,
     .scene_size = sizeof(rot_incline_built),
     .start_s = rot_incline_start,
+    .events = 1u << ROT_EVENT_STICK | 1u << ROT_EVENT_SLIP | 1u << ROT_EVENT_ROLL |
+              1u << ROT_EVENT_REVERSE | 1u << ROT_EVENT_SLIP_REVERSES,
     .n_flows = ROT_INCLINE_FLOWS,
     .flows = rot_incline_flow_names,
     .n_balances = ROT_INCLINE_BALANCES,

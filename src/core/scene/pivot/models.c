@@ -130,6 +130,7 @@ const rot_constraint rot_pivot_constraint = {
     .runs = rot_pivot_runs,
     .scene_size = sizeof(rot_free_built),
     .start_s = rot_free_start,
+    .events = 1u << ROT_EVENT_HIGHEST | 1u << ROT_EVENT_LOWEST,
     .bound = bound_of,
     .n_flows = ROT_FREE_FLOWS,
     .flows = rot_free_flow_names,

@@ -17,7 +17,7 @@ one <- function(row, torque, time_s, resistance = rotdyn::resistance(row$viscous
 
 test_that("each row is the trajectory of its scene", {
   table <- spin_up_table(designs, article_torque(), time_s = c(8, 5, 3, 8))
-  expect_equal(names(table), c(names(designs), rotdyn:::sweep_columns))
+  expect_equal(names(table), c(names(designs), rotdyn:::spin_up_table_columns))
   expect_equal(table$name, designs$name)
   for (i in seq_len(4)) {
     end <- c(8, 5, 3, 8)[i]
@@ -91,8 +91,8 @@ test_that("NA rows are NA, and the others what they were", {
   holes$moment_of_inertia_kg_m2[3] <- NA
   whole <- spin_up_table(designs, article_torque(), 8)
   table <- spin_up_table(holes, article_torque(), 8)
-  expect_identical(table[c(1, 4), rotdyn:::sweep_columns], whole[c(1, 4), rotdyn:::sweep_columns])
-  expect_true(all(is.na(unlist(table[2:3, rotdyn:::sweep_columns]))))
+  expect_identical(table[c(1, 4), rotdyn:::spin_up_table_columns], whole[c(1, 4), rotdyn:::spin_up_table_columns])
+  expect_true(all(is.na(unlist(table[2:3, rotdyn:::spin_up_table_columns]))))
   expect_true(is.na(spin_up_table(designs, article_torque(), c(8, NA, 8, 8))$error[2]))
 })
 
@@ -128,7 +128,7 @@ test_that("a row with something missing does not change the others", {
   got <- spin_up_table(rows, law, time_s = 3)
   expect_equal(got[1, -(1:4)], spin_up_table(rows[1, ], law, time_s = 3)[, -(1:4)])
   expect_true(is.finite(got$max_omega_rad_per_s[1]))
-  expect_true(all(is.na(got[2, rotdyn:::sweep_columns])))
+  expect_true(all(is.na(got[2, rotdyn:::spin_up_table_columns])))
 })
 
 test_that("odd data frames are told what is wrong with them", {

@@ -35,7 +35,7 @@ autoplot.rot_spin_up_table <- function(object, ..., x = NULL, colour = NULL, pan
       "final_theta_rad"
     ), names(object)
   )
-  plot_table(object, sweep_columns, panels, x, colour, "spin-ups", base_size, call)
+  plot_table(object, spin_up_table_columns, panels, x, colour, "spin-ups", base_size, call)
 }
 
 #' @rdname autoplot.rot_spin_up_table

@@ -1,5 +1,5 @@
 # The columns of `parameters` that are numbers of a scene: unit, default.
-sweep_parameters <- list(
+spin_up_parameters <- list(
   moment_of_inertia_kg_m2 = list("kg*m^2", NULL),
   viscous_n_m_s = list("N*m*s", 0),
   torque_scale = list("1", 1),
@@ -28,7 +28,7 @@ sweep_parameters <- list(
 #' @param threads Most threads to use. The result does not depend on it, to the last bit.
 #' @return `parameters` as a tibble (class `rot_spin_up_table`, with an `autoplot()`), with the
 #'   columns
-#'   `r describe_columns(sweep_columns)`
+#'   `r describe_columns(spin_up_table_columns)`
 #'   A row with NA in what it needs has NA in these. Where dry friction, quadratic drag or terms
 #'   beyond knots are in play, `max_omega_time_s` is NaN; with terms beyond knots, the extremes too.
 #' @section Warnings: `rotdyn_warning_range` names the rows that leave the range of double
@@ -60,14 +60,14 @@ spin_up_table <- function(parameters, torque = NULL, time_s = NULL, ..., start_s
   threads <- floor(check_number(threads, "threads", "1", call, lower = 1))
   threads <- min(threads, .Call(ffi_axle_sweep_threads))
   torque <- as_torque(torque, call)
-  known_columns <- c(names(sweep_parameters), "time_s")
+  known_columns <- c(names(spin_up_parameters), "time_s")
   given <- c(intersect(names(parameters), known_columns), if (!is.null(time_s)) "time_s")
   check_near_columns(parameters, known_columns, given, column_table()$name, call)
-  columns <- sweep_inputs(parameters, time_s, call)
+  columns <- spin_up_inputs(parameters, time_s, call)
   known <- rep(TRUE, n)
   some_missing <- any(vapply(columns, anyNA, logical(1)))
   if (some_missing) known <- Reduce(`&`, lapply(columns, function(x) rep_len(!is.na(x), n)), known)
-  check_sweep_rows(columns, known, start_s, call)
+  check_spin_up_rows(columns, known, start_s, call)
   if (some_missing) {
     # A row with a missing number runs with a harmless one, and is set to NA after.
     columns[] <- Map(function(x, name) {
@@ -79,7 +79,7 @@ spin_up_table <- function(parameters, torque = NULL, time_s = NULL, ..., start_s
     }, columns, names(columns))
     columns$time_s <- replace(rep_len(columns$time_s, n), !known, start_s)
   }
-  result <- if (n) run_sweep(torque, columns, start_s, threads, call) else empty_sweep()
+  result <- if (n) run_spin_ups(torque, columns, start_s, threads, call) else empty_spin_ups()
   out <- result[[1]]
   failed <- which(result[[2]] != 0L & known)
   if (some_missing) out <- lapply(out, function(x) replace(x, !known, NA_real_))
@@ -91,16 +91,16 @@ spin_up_table <- function(parameters, torque = NULL, time_s = NULL, ..., start_s
     ), "range", call)
   }
   data <- table_from(parameters, "rot_spin_up_table")
-  data[sweep_columns] <- out
+  data[spin_up_table_columns] <- out
   data
 }
 
-empty_sweep <- function() {
-  list(rep(list(double()), length(sweep_columns)), integer())
+empty_spin_ups <- function() {
+  list(rep(list(double()), length(spin_up_table_columns)), integer())
 }
 
 # The numbers of all rows, in SI units, each of length 1 or n.
-sweep_inputs <- function(parameters, time_s, call) {
+spin_up_inputs <- function(parameters, time_s, call) {
   n <- nrow(parameters)
   if (is.null(parameters[["moment_of_inertia_kg_m2"]])) {
     abort_rotdyn(c(
@@ -109,17 +109,17 @@ sweep_inputs <- function(parameters, time_s, call) {
       i = "{.fn inertia_table} computes it for the standard shapes."
     ), "missing", call)
   }
-  columns <- lapply(names(sweep_parameters), function(name) {
-    unit <- sweep_parameters[[name]][[1]]
+  columns <- lapply(names(spin_up_parameters), function(name) {
+    unit <- spin_up_parameters[[name]][[1]]
     given <- parameters[[name]]
-    if (is.null(given)) return(sweep_parameters[[name]][[2]])
+    if (is.null(given)) return(spin_up_parameters[[name]][[2]])
     given <- check_column(given, name, unit, call)
     if (length(given) != n) {
       abort_rotdyn("Column {.field {name}} must have one number in each row.", "size", call)
     }
     given
   })
-  names(columns) <- names(sweep_parameters)
+  names(columns) <- names(spin_up_parameters)
   if (is.null(columns$static_n_m)) columns$static_n_m <- columns$coulomb_n_m
   if (is.null(time_s)) time_s <- parameters[["time_s"]]
   if (is.null(time_s)) {
@@ -138,7 +138,7 @@ sweep_inputs <- function(parameters, time_s, call) {
   columns
 }
 
-check_sweep_rows <- function(columns, known, start_s, call) {
+check_spin_up_rows <- function(columns, known, start_s, call) {
   first <- function(bad) which(bad & known)[1]
   for (name in names(columns)) {
     x <- columns[[name]]
@@ -148,7 +148,7 @@ check_sweep_rows <- function(columns, known, start_s, call) {
     bad <- first(rep_len(!is.finite(x) | x < minimum | (open & x <= 0), length(known)))
     if (!is.na(bad)) {
       value <- rep_len(x, length(known))[bad]
-      unit <- if (name == "time_s") "s" else sweep_parameters[[name]][[1]]
+      unit <- if (name == "time_s") "s" else spin_up_parameters[[name]][[1]]
       abort_domain(value, name, unit, call, if (open) 0 else minimum, Inf, open, row = bad)
     }
   }
@@ -174,7 +174,7 @@ check_sweep_rows <- function(columns, known, start_s, call) {
   }
 }
 
-run_sweep <- function(torque, columns, start_s, threads, call) {
+run_spin_ups <- function(torque, columns, start_s, threads, call) {
   loads <- torque_loads(torque)
   friction <- any(columns$static_n_m != 0)
   quadratic <- any(columns$quadratic_n_m_s2 != 0)
@@ -191,13 +191,13 @@ run_sweep <- function(torque, columns, start_s, threads, call) {
     }
     model <- "axle_linear"
   } else {
-    model <- sweep_model(scene, loads, columns, call)
+    model <- spin_up_model(scene, loads, columns, call)
   }
   .Call(ffi_axle_sweep, model, scene, columns, threads, progress_bar("sweep"))
 }
 
 # The closed form that takes what acts in any of the rows.
-sweep_model <- function(scene, loads, columns, call) {
+spin_up_model <- function(scene, loads, columns, call) {
   fits <- core_candidates("axle", scene, scene$start_s, 1)
   takes <- fits$applies & fits$error_kind == "bound" & lengths(fits$dropped) == 0L &
     !fits$model %in% c("axle_free", "axle_linear")
