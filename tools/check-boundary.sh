@@ -132,6 +132,7 @@ hidden="$hidden|SET_(HASHTAB|NAMED|OBJECT|S4_OBJECT|TRUELENGTH|TYPEOF)|TRUELENGT
 layers='
 1 ground
 2 maths
+3 design
 3 engine
 4 engine/ode
 4 body

@@ -1,0 +1,108 @@
+#include "design/sobol.h"
+
+#include <string.h>
+
+#include "design/philox.h"
+
+static inline uint64_t swap_bits(uint64_t x, int by, uint64_t low) {
+  return (x >> by & low) | (x & low) << by;
+}
+
+static inline uint64_t reversed(uint64_t x) {
+  x = swap_bits(x, 1, 0x5555555555555555u);
+  x = swap_bits(x, 2, 0x3333333333333333u);
+  x = swap_bits(x, 4, 0x0F0F0F0F0F0F0F0Fu);
+  x = swap_bits(x, 8, 0x00FF00FF00FF00FFu);
+  x = swap_bits(x, 16, 0x0000FFFF0000FFFFu);
+  return x >> 32 | x << 32;
+}
+
+/* Bit k of the result is bit k of x, changed or not by a hash of the bits below: a permutation that
+ * is nested, and so is each step. */
+static inline uint64_t scramble(const rot_sobol *s, uint64_t x) {
+  for (int i = 0; i < ROT_SOBOL_ROUNDS; i++) {
+    x += s->add[i];
+    x *= s->odd[i];
+    x ^= x * s->even[i];
+  }
+  return x;
+}
+
+/* bits of a coordinate => coordinate in (0, 1): 52 bits behind the 1 of a number in [1, 2) */
+static inline double coordinate(uint64_t bits) {
+  double x;
+  bits = bits >> 12 | 0x3FF0000000000000u;
+  memcpy(&x, &bits, sizeof x);
+  x -= 1.0;
+  return x > 0.0 ? x : 0x1p-53;
+}
+
+/* Direction numbers of a dimension, as bits of the coordinate times 2^64. */
+static void directions(size_t dimension, uint64_t v[ROT_SOBOL_BITS]) {
+  const rot_sobol_seed *seed = &rot_sobol_table[dimension];
+  int degree = 0;
+  while (seed->polynomial >> (degree + 1)) degree++;
+  for (int i = 0; i < ROT_SOBOL_BITS; i++) {
+    if (degree == 0) {
+      v[i] = (uint64_t)1 << (63 - i);
+    } else if (i < degree) {
+      v[i] = (uint64_t)seed->number[i] << (63 - i);
+    } else {
+      v[i] = v[i - degree] ^ v[i - degree] >> degree;
+      for (int j = 1; j < degree; j++)
+        if (seed->polynomial >> (degree - j) & 1) v[i] ^= v[i - j];
+    }
+  }
+}
+
+void rot_sobol_begin(rot_sobol *s, size_t dimension, const uint64_t *seed) {
+  directions(dimension, s->direction);
+  s->scrambled = seed != NULL;
+  for (int i = 0; i < ROT_SOBOL_BITS; i++) {
+    if (s->scrambled) s->direction[i] = reversed(s->direction[i]);
+  }
+  s->near[0] = 0;
+  for (uint64_t i = 1; i < ROT_SOBOL_NEAR; i++) {
+    int lowest = 0;
+    while (!(i >> lowest & 1)) lowest++;
+    s->near[i] = s->near[i - 1] ^ s->direction[lowest];
+  }
+  for (uint32_t i = 0; i < ROT_SOBOL_ROUNDS; i++) {
+    uint64_t words[4] = {0, 0, 0, 0};
+    if (s->scrambled) {
+      rot_philox_row(*seed, dimension, 2 * i, ROT_STREAM_SCRAMBLING, words);
+      rot_philox_row(*seed, dimension, 2 * i + 1, ROT_STREAM_SCRAMBLING, words + 2);
+    }
+    s->add[i] = words[0];
+    s->odd[i] = words[1] | 1;
+    s->even[i] = words[2] & ~(uint64_t)1;
+  }
+}
+
+/* Point i, by the Gray code of i. */
+static uint64_t point(const rot_sobol *s, uint64_t i) {
+  uint64_t x = 0;
+  int bit = 0;
+  for (uint64_t gray = i ^ i >> 1; gray && bit < ROT_SOBOL_BITS; gray >>= 1, bit++)
+    if (gray & 1) x ^= s->direction[bit];
+  return x;
+}
+
+/* Points are linear in their numbers over the field of two elements: point 64 q + k is the
+ * exclusive-or of points 64 q and k. */
+void rot_sobol_column(const rot_sobol *s, uint64_t first, size_t n, double u[]) {
+  for (size_t done = 0; done < n;) {
+    const uint64_t at = first + done;
+    const size_t skip = (size_t)(at % ROT_SOBOL_NEAR), left = ROT_SOBOL_NEAR - skip;
+    const size_t m = n - done < left ? n - done : left;
+    const uint64_t base = point(s, at - skip);
+    const uint64_t *near = s->near + skip;
+    if (s->scrambled) {
+      for (size_t k = 0; k < m; k++)
+        u[done + k] = coordinate(reversed(scramble(s, base ^ near[k])));
+    } else {
+      for (size_t k = 0; k < m; k++) u[done + k] = coordinate(base ^ near[k]);
+    }
+    done += m;
+  }
+}
