@@ -316,6 +316,13 @@ plan_model <- function(plan, model, call) {
   found <- .Call(ffi_sweep_model, core_sweep(plan), rows - 1)
   if (!is.null(found$refused)) abort_refused(found, plan, call)
   if (is.null(found$model)) {
+    refused <- tryCatch({
+      scene_of_row(plan, 1, call)
+      NULL
+    }, rotdyn_error = identity)
+    if (!is.null(refused)) {
+      abort_rotdyn("The constructor refuses the first row.", "value", call, parent = refused)
+    }
     abort_rotdyn(c(
       "No model takes any of {length(rows)} rows looked at.",
       i = "{.fn choose_model} says why for the scene of a row: {.code sweep_scene(plan, 1)}."

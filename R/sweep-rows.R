@@ -70,7 +70,7 @@ times_of_row <- function(plan, scene, row) {
 motion_of_row <- function(plan, scene, row) {
   trajectory(
     scene, times_of_row(plan, scene, row), accuracy = plan$accuracy,
-    model = if (plan$asked || plan$way != "scene") plan$model, max_steps = plan$max_steps
+    model = plan$model, max_steps = plan$max_steps
   )
 }
 

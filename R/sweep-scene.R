@@ -30,6 +30,11 @@ set_in <- function(x, steps, value, path, known) {
     stem <- sub("\\[[0-9]+\\]$", "", path)
     inner <- known$value[startsWith(known$path, paste0(stem, "["))]
   }
+  if (is.matrix(inner)) {
+    inner[rest[[1]], rest[[2]]] <- value
+    x[[step]] <- inner
+    return(x)
+  }
   one <- is.list(inner) && length(inner) == 1L && names(inner) %in% names(text_readers())
   if (isTRUE(one)) {
     inner[[1]] <- set_in(inner[[1]], rest, value, path, known)
@@ -58,7 +63,7 @@ outputs_of_motion <- function(motion, outputs) {
   index <- constraint$index
   audits <- intersect(outputs, c("supplied_j", "lost_j", "balanced"))
   audited <- if (length(audits)) audit(motion)
-  vapply(outputs, function(output) {
+  values <- vapply(outputs, function(output) {
     place <- as.integer(sub("^.*\\[([0-9]+)\\]$", "\\1", output))
     place <- if (grepl("\\[[0-9]+\\]$", output)) place
     base <- sub("\\[[0-9]+\\]$", "", output)
@@ -74,8 +79,9 @@ outputs_of_motion <- function(motion, outputs) {
     x <- motion[[sub("^(final|max_abs|max|min)_", "", base)]]
     if (!is.null(index)) x <- x[motion[[index]] == place]
     x <- as.double(x)
-    switch(kind, final = x[length(x)], max = most(x), min = -most(-x), max_abs = most(abs(x)))
+    switch(kind, final = if (length(x)) x[length(x)] else NaN, max = most(x), min = -most(-x), max_abs = most(abs(x)))
   }, double(1), USE.NAMES = FALSE)
+  replace(values, is.na(values), NaN)
 }
 
 # NaN where all are.

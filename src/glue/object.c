@@ -65,6 +65,22 @@ static int put_numbers(rot_object *to, const char *input, const char *kind, SEXP
   return set == ROT_SET_DONE || refuse(r, kind, "takes no such numbers");
 }
 
+/* The rows of a matrix, as items of a list. */
+static int put_matrix(rot_object *to, const char *input, const char *kind, SEXP x, reading *r) {
+  enum { MOST = 64 };
+  const R_xlen_t rows = Rf_nrows(x), columns = Rf_ncols(x);
+  rot_object *list = rot_object_new("list");
+  int ok = list != NULL && columns <= MOST;
+  for (R_xlen_t i = 0; i < rows && ok; i++) {
+    double row[MOST];
+    for (R_xlen_t k = 0; k < columns; k++) row[k] = REAL_RO(x)[i + k * rows];
+    ok = rot_object_numbers(list, NULL, (size_t)columns, row) == ROT_SET_DONE;
+  }
+  if (ok) return put_object(to, input, kind, list, r);
+  rot_object_free(list);
+  return refuse(r, kind, "takes no such matrix");
+}
+
 static int put_wholes(rot_object *to, const char *input, const char *kind, SEXP x, reading *r) {
   const int *from = TYPEOF(x) == INTSXP ? INTEGER_RO(x) : LOGICAL_RO(x);
   if (XLENGTH(x) != 1 || from[0] == NA_INTEGER) return refuse(r, kind, "takes no such numbers");
@@ -77,6 +93,7 @@ static int put(rot_object *to, const char *input, const char *kind, SEXP x, read
   if (Rf_isNull(x) || Rf_isFunction(x) || Rf_isObject(x)) {
     return rot_object_unset(to, input) == ROT_SET_DONE || refuse(r, kind, "is unknown");
   }
+  if (TYPEOF(x) == REALSXP && Rf_isMatrix(x)) return put_matrix(to, input, kind, x, r);
   if (TYPEOF(x) == REALSXP && !has_names(x)) return put_numbers(to, input, kind, x, r);
   if (TYPEOF(x) == INTSXP || TYPEOF(x) == LGLSXP) return put_wholes(to, input, kind, x, r);
   if (TYPEOF(x) == STRSXP && XLENGTH(x) == 1) {
@@ -85,9 +102,9 @@ static int put(rot_object *to, const char *input, const char *kind, SEXP x, read
   }
   if (TYPEOF(x) != VECSXP && TYPEOF(x) != REALSXP) return refuse(r, kind, "is damaged");
   r->level++;
-  const int ok = has_names(x) && XLENGTH(x) ? put_named(to, input, kind, x, r)
-                 : TYPEOF(x) == VECSXP      ? put_list(to, input, kind, x, r)
-                                            : refuse(r, kind, "is damaged");
+  const int ok = has_names(x)          ? put_named(to, input, kind, x, r)
+                 : TYPEOF(x) == VECSXP ? put_list(to, input, kind, x, r)
+                                       : refuse(r, kind, "is damaged");
   r->level--;
   return ok;
 }

@@ -139,6 +139,11 @@ static double of_times(const rot_output_run *run, const rot_output_of *output) {
   const size_t copy = output->place ? output->place - 1 : 0;
   double found = NAN;
   if (copy >= run->rows_per_time) return found;
+  /* Columns that a row does not show are not written. */
+  if (!rot_run_shows(run->constraint, run->scene, run->constraint->effects_of(run->scene),
+                     output->at)) {
+    return found;
+  }
   if (output->kind == ROT_OUT_FINAL) return cell_of(run, output->at, run->n_times - 1, copy);
   for (size_t i = 0; i < run->n_times; i++) {
     double x = cell_of(run, output->at, i, copy);

@@ -148,6 +148,25 @@ static rot_status build_row(rot_rows_worker *w, const double input[], const void
              : rot_refuse(no, plan->scene->n, "the times must be finite and increase");
 }
 
+/* Flows of a closed form at the first and the last time alone, as the audit has them: between more
+ * times they are rounded otherwise. The values in between stay. */
+static rot_status flows_at_ends(rot_rows_worker *w, const void *scene, const rot_task *task,
+                                const rot_outcome *o) {
+  const size_t n = task->n;
+  const double ends[] = {w->time_s[0], w->time_s[n - 1]};
+  const rot_rows want = {.flow = w->flow, .flow_error = w->flow_error};
+  rot_task own = *task;
+  rot_outcome two;
+  two.events = (rot_events){0};
+  own.n = ends[0] < ends[1] ? 2 : 1;
+  own.time_s = ends;
+  own.asked = 1;
+  rot_run_model(w->constraint, scene, o->picked.model, &own, &want, &two, NULL);
+  rot_events_free(&two.events);
+  for (size_t k = 0; k < w->constraint->n_flows; k++) w->flow[k][n - 1] = w->flow[k][own.n - 1];
+  return two.info.status;
+}
+
 static int run_row(rot_rows_worker *w, const void *scene, size_t n, rot_outcome *o, double output[],
                    double *error) {
   const rot_row_plan *plan = w->plan;
@@ -169,6 +188,10 @@ static int run_row(rot_rows_worker *w, const void *scene, size_t n, rot_outcome 
   if (end != ROT_RUN_DONE) return ROT_ROW_NO_MODEL;
   if (o->info.status != ROT_OK) return (int)o->info.status;
   if (isinf(o->error)) return ROT_ERANGE;
+  if (w->audits && !steps && n > 2) {
+    const rot_status status = flows_at_ends(w, scene, &task, o);
+    if (status != ROT_OK) return (int)status;
+  }
   const rot_output_run run = {.constraint = c,
                               .scene = scene,
                               .outcome = o,

@@ -48,8 +48,10 @@ static int visit_one(walk *w, const rot_object *object, const rot_input *input, 
   return w->visit(&place, w->path, w->ctx);
 }
 
-/* Of a resistance the terms that the input takes it for. */
+/* Of a resistance the terms that the input takes it for; of sizes nothing: no number depends on
+ * them. */
 static int is_taken(const rot_object *object, const rot_input *of, const char *name) {
+  if (object->part && object->part->makes == ROT_INPUT_SIZES) return 0;
   const char *const *terms = of && of->kinds & ROT_INPUT_RESISTANCE ? of->options : NULL;
   size_t i = 0;
   if (object->part != &rot_resistance_part || !terms) return 1;
@@ -198,6 +200,7 @@ static rot_status follow(rot_variants *v, const char *path, size_t p, size_t *of
     }
     const rot_value *value = &object->values[at];
     const rot_input *input = input_of(object, list, at);
+    if (!is_taken(object, list, input->name)) return no_number(no, p, path);
     *of = at_slot;
     *to = (rot_place){object, input, at, 0, value_now(input, value)};
     if (*text == '\0') return takes_one(input, value) ? ROT_OK : no_number(no, p, path);
