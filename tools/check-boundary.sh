@@ -134,6 +134,7 @@ layers='
 2 maths
 3 design
 3 engine
+3 summary
 4 engine/ode
 4 body
 5 tables
