@@ -59,7 +59,7 @@ typedef struct parts {
   size_t tail;     /* rows of a base point that goes on behind; 0 if not bounded */
 } parts;
 
-static parts parts_of(size_t n_inputs, rot_span span) {
+static parts parts_of(size_t n_inputs, rot_stretch span) {
   const uint64_t length = n_inputs + 2, over = span.first_row % length;
   const uint64_t head = over ? length - over : 0;
   if (head > span.rows) return (parts){(size_t)span.rows, 0, 0, 0};
@@ -106,9 +106,9 @@ static void keep_rows(size_t n, const double x[], const int status[], double to[
 
 rot_status rot_indices_add(rot_indices *x, uint64_t first_row, size_t n,
                            const double *const column[], const int status[]) {
-  const rot_span span = {first_row, n};
+  const rot_stretch span = {first_row, n};
   const size_t length = x->n_inputs + 2;
-  if (x->span.rows > 0 || !rot_span_is_block(span)) return ROT_EVALUE;
+  if (x->span.rows > 0 || !rot_stretch_is_block(span)) return ROT_EVALUE;
   const parts p = parts_of(x->n_inputs, span);
   const uint64_t point = (first_row + p.head) / length;
   for (size_t i = 0; i < x->n_columns; i++) {
@@ -155,7 +155,8 @@ static int same_form(const rot_indices *a, const rot_indices *b) {
 }
 
 rot_status rot_indices_merge(rot_indices *into, const rot_indices *from) {
-  if (!rot_span_are_children(into->span, from->span) || !same_form(into, from)) return ROT_EVALUE;
+  if (!rot_stretch_are_children(into->span, from->span) || !same_form(into, from))
+    return ROT_EVALUE;
   const parts left = parts_of(into->n_inputs, into->span);
   const parts right = parts_of(into->n_inputs, from->span);
   for (size_t i = 0; i < into->n_columns; i++) {
@@ -172,7 +173,7 @@ rot_status rot_indices_merge(rot_indices *into, const rot_indices *from) {
   return ROT_OK;
 }
 
-static rot_span span_of(const void *node) { return ((const rot_indices *)node)->span; }
+static rot_stretch span_of(const void *node) { return ((const rot_indices *)node)->span; }
 static rot_status merge(void *into, const void *from) { return rot_indices_merge(into, from); }
 static void free_node(void *node) { rot_indices_free(node); }
 
@@ -245,44 +246,44 @@ rot_status rot_indices_estimate(const rot_indices *x, size_t column, double firs
 /* ---- long form ------------------------------------------------------------------------------- */
 
 typedef struct header {
-  rot_span span;
+  rot_stretch span;
   uint64_t n_columns, n_inputs, run;
 } header;
 
-static void at_header(rot_rows_at *at, header *h) {
+static void at_header(rot_long_at *at, header *h) {
   const int run = ROT_RUN_QUANTITY;
-  rot_rows_count(at, run, ROT_KIND_INDEX_FIRST_ROW, 0, ROT_SWEEP_ROWS, &h->span.first_row);
-  rot_rows_count(at, run, ROT_KIND_INDEX_ROWS, 0, ROT_SWEEP_ROWS, &h->span.rows);
-  rot_rows_count(at, run, ROT_KIND_INDEX_COLUMNS, 0, INT32_MAX, &h->n_columns);
-  rot_rows_count(at, run, ROT_KIND_INDEX_INPUTS, 0, ROT_INDEX_INPUTS, &h->n_inputs);
-  rot_rows_count(at, run, ROT_KIND_INDEX_RUN, 0, ROT_SWEEP_ROWS, &h->run);
+  rot_long_count(at, run, ROT_KIND_INDEX_FIRST_ROW, 0, ROT_SWEEP_ROWS, &h->span.first_row);
+  rot_long_count(at, run, ROT_KIND_INDEX_ROWS, 0, ROT_SWEEP_ROWS, &h->span.rows);
+  rot_long_count(at, run, ROT_KIND_INDEX_COLUMNS, 0, INT32_MAX, &h->n_columns);
+  rot_long_count(at, run, ROT_KIND_INDEX_INPUTS, 0, ROT_INDEX_INPUTS, &h->n_inputs);
+  rot_long_count(at, run, ROT_KIND_INDEX_RUN, 0, ROT_SWEEP_ROWS, &h->run);
 }
 
-static void at_values(rot_rows_at *at, int quantity, rot_kind kind, uint64_t row, size_t n,
+static void at_values(rot_long_at *at, int quantity, rot_kind kind, uint64_t row, size_t n,
                       double value[]) {
   for (size_t i = 0; i < n; i++) {
-    rot_rows_number(at, quantity, kind, (int64_t)(row + i), &value[i]);
+    rot_long_number(at, quantity, kind, (int64_t)(row + i), &value[i]);
     if (at->read && isinf(value[i])) at->bad = 1;
   }
 }
 
-static void at_column(rot_rows_at *at, const rot_indices *x, size_t i) {
+static void at_column(rot_long_at *at, const rot_indices *x, size_t i) {
   rot_indices_column *c = &x->column[i];
   const parts p = parts_of(x->n_inputs, x->span);
   const int q = (int)i;
   uint64_t points = 0;
-  rot_rows_number(at, q, ROT_KIND_INDEX_SHIFT, 0, &c->shift);
-  rot_rows_count(at, q, ROT_KIND_INDEX_SKIPPED, 0, p.points, &c->skipped);
+  rot_long_number(at, q, ROT_KIND_INDEX_SHIFT, 0, &c->shift);
+  rot_long_count(at, q, ROT_KIND_INDEX_SKIPPED, 0, p.points, &c->skipped);
   for (int g = 0; g < GROUPS; g++) {
-    rot_rows_count(at, q, ROT_KIND_INDEX_POINTS, g, p.points, &c->points[g]);
+    rot_long_count(at, q, ROT_KIND_INDEX_POINTS, g, p.points, &c->points[g]);
     points += c->points[g];
   }
   for (int low = 0; low < 2; low++) {
     for (size_t k = 0; k < GROUPS * x->terms; k++) {
       rot_dd *sum = &c->sum[k % GROUPS * x->terms + k / GROUPS];
-      rot_rows_number(at, q, low ? ROT_KIND_INDEX_SUM_LOW : ROT_KIND_INDEX_SUM, (int64_t)k,
+      rot_long_number(at, q, low ? ROT_KIND_INDEX_SUM_LOW : ROT_KIND_INDEX_SUM, (int64_t)k,
                       low ? &sum->lo : &sum->hi);
-      if (at->read && low && !rot_rows_is_sum(sum->hi, sum->lo)) at->bad = 1;
+      if (at->read && low && !rot_long_is_sum(sum->hi, sum->lo)) at->bad = 1;
     }
   }
   at_values(at, q, ROT_KIND_INDEX_HEAD, x->span.first_row, p.head, c->head);
@@ -291,8 +292,8 @@ static void at_column(rot_rows_at *at, const rot_indices *x, size_t i) {
 }
 
 /* Writing and counting change nothing. */
-static size_t write(const rot_indices *x, const rot_rows *rows) {
-  rot_rows_at at = {rows, 0, 0, 0, 0};
+static size_t write(const rot_indices *x, const rot_long *rows) {
+  rot_long_at at = {rows, 0, 0, 0, 0};
   header h = {x->span, x->n_columns, x->n_inputs, x->run};
   if (x->span.rows == 0) return 0;
   at_header(&at, &h);
@@ -302,15 +303,15 @@ static size_t write(const rot_indices *x, const rot_rows *rows) {
 
 size_t rot_indices_rows_size(const rot_indices *x) { return write(x, NULL); }
 
-void rot_indices_rows(const rot_indices *x, const rot_rows *rows) { write(x, rows); }
+void rot_indices_rows(const rot_indices *x, const rot_long *rows) { write(x, rows); }
 
 /* The header says how many rows there must be, which is compared before memory is taken. */
-rot_status rot_indices_read(size_t n, const rot_rows *rows, rot_indices **indices) {
-  rot_rows_at at = {rows, n, 0, 1, 0};
+rot_status rot_indices_read(size_t n, const rot_long *rows, rot_indices **indices) {
+  rot_long_at at = {rows, n, 0, 1, 0};
   header h = {{0, 0}, 0, 0, 0};
   *indices = NULL;
   at_header(&at, &h);
-  if (at.bad || !rot_span_is_node(h.span) || h.n_inputs < 1 || h.run < 1) return ROT_EVALUE;
+  if (at.bad || !rot_stretch_is_node(h.span) || h.n_inputs < 1 || h.run < 1) return ROT_EVALUE;
   const parts p = parts_of((size_t)h.n_inputs, h.span);
   const uint64_t terms = ROT_INDEX_DIFFERENCE + 2 * h.n_inputs;
   const uint64_t each = 2 + GROUPS + 2 * GROUPS * terms + p.head + p.tail;

@@ -9,7 +9,7 @@
  *
  * A base point with a failed row or a value that is not finite is skipped, for that output.
  *
- * Blocks are the 2^16 rows of summary/span.h, as for all designs. A base point may continue in the
+ * Blocks are the 2^16 rows of summary/stretch.h, as for all designs. A base point may continue in the
  * next block: the sums then carry the values of its rows until merging brings the other ones, and
  * it enters the sums of that node. So nothing else depends on the length of a base point, and the
  * bits depend on the rows alone.
@@ -32,8 +32,8 @@
 
 #include "ground/dd.h"
 #include "ground/status.h"
-#include "summary/rows.h"
-#include "summary/span.h"
+#include "summary/long.h"
+#include "summary/stretch.h"
 #include "summary/tree.h"
 
 enum { ROT_INDEX_GROUPS = 16, ROT_INDEX_INPUTS = 65534 /* max d: two blocks for a base point */ };
@@ -56,7 +56,7 @@ typedef struct rot_indices_column {
 } rot_indices_column;
 
 typedef struct rot_indices {
-  rot_span span;
+  rot_stretch span;
   size_t n_inputs, n_columns;
   uint64_t run;
   size_t terms; /* 4 + 2 n_inputs */
@@ -88,9 +88,9 @@ rot_status rot_indices_estimate(const rot_indices *indices, size_t column, doubl
                                 double first_se[], double total[], double total_se[],
                                 rot_indices_info *info);
 
-/* Long form, as that of a summary: kinds ROT_KIND_INDEX_... of summary/rows.h. */
+/* Long form, as that of a summary: kinds ROT_KIND_INDEX_... of summary/long.h. */
 size_t rot_indices_rows_size(const rot_indices *indices);
-void rot_indices_rows(const rot_indices *indices, const rot_rows *rows);
-rot_status rot_indices_read(size_t n, const rot_rows *rows, rot_indices **indices);
+void rot_indices_rows(const rot_indices *indices, const rot_long *rows);
+rot_status rot_indices_read(size_t n, const rot_long *rows, rot_indices **indices);
 
 #endif

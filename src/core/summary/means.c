@@ -28,8 +28,8 @@ void rot_means_free(rot_means *m) {
 
 rot_status rot_means_add(rot_means *m, uint64_t first_row, size_t n, const double *const column[],
                          const int status[]) {
-  const rot_span span = {first_row, n};
-  if (m->span.rows > 0 || !rot_span_is_block(span)) return ROT_EVALUE;
+  const rot_stretch span = {first_row, n};
+  if (m->span.rows > 0 || !rot_stretch_is_block(span)) return ROT_EVALUE;
   for (size_t c = 0; c < m->n_columns; c++) {
     rot_means_group *group = m->group + c * m->replicates;
     size_t g = (size_t)(first_row / m->run % m->replicates);
@@ -53,7 +53,7 @@ rot_status rot_means_add(rot_means *m, uint64_t first_row, size_t n, const doubl
 }
 
 rot_status rot_means_merge(rot_means *into, const rot_means *from) {
-  if (!rot_span_are_children(into->span, from->span) || into->n_columns != from->n_columns ||
+  if (!rot_stretch_are_children(into->span, from->span) || into->n_columns != from->n_columns ||
       into->replicates != from->replicates || into->run != from->run) {
     return ROT_EVALUE;
   }
@@ -65,7 +65,7 @@ rot_status rot_means_merge(rot_means *into, const rot_means *from) {
   return ROT_OK;
 }
 
-static rot_span span_of(const void *node) { return ((const rot_means *)node)->span; }
+static rot_stretch span_of(const void *node) { return ((const rot_means *)node)->span; }
 static rot_status merge(void *into, const void *from) { return rot_means_merge(into, from); }
 static void free_node(void *node) { rot_means_free(node); }
 
@@ -98,39 +98,39 @@ void rot_means_estimate(const rot_means *m, size_t column, double *mean, double 
 /* ---- long form ------------------------------------------------------------------------------- */
 
 typedef struct header {
-  rot_span span;
+  rot_stretch span;
   uint64_t n_columns, replicates, run;
 } header;
 
-static void at_header(rot_rows_at *at, header *h) {
+static void at_header(rot_long_at *at, header *h) {
   const int run = ROT_RUN_QUANTITY;
-  rot_rows_count(at, run, ROT_KIND_MEAN_FIRST_ROW, 0, ROT_SWEEP_ROWS, &h->span.first_row);
-  rot_rows_count(at, run, ROT_KIND_MEAN_ROWS, 0, ROT_SWEEP_ROWS, &h->span.rows);
-  rot_rows_count(at, run, ROT_KIND_MEAN_COLUMNS, 0, INT32_MAX, &h->n_columns);
-  rot_rows_count(at, run, ROT_KIND_MEAN_REPLICATES, 0, ROT_MEANS_REPLICATES, &h->replicates);
-  rot_rows_count(at, run, ROT_KIND_MEAN_RUN, 0, ROT_SWEEP_ROWS, &h->run);
+  rot_long_count(at, run, ROT_KIND_MEAN_FIRST_ROW, 0, ROT_SWEEP_ROWS, &h->span.first_row);
+  rot_long_count(at, run, ROT_KIND_MEAN_ROWS, 0, ROT_SWEEP_ROWS, &h->span.rows);
+  rot_long_count(at, run, ROT_KIND_MEAN_COLUMNS, 0, INT32_MAX, &h->n_columns);
+  rot_long_count(at, run, ROT_KIND_MEAN_REPLICATES, 0, ROT_MEANS_REPLICATES, &h->replicates);
+  rot_long_count(at, run, ROT_KIND_MEAN_RUN, 0, ROT_SWEEP_ROWS, &h->run);
 }
 
-static void at_column(rot_rows_at *at, const rot_means *m, size_t i) {
+static void at_column(rot_long_at *at, const rot_means *m, size_t i) {
   rot_means_group *group = m->group + i * m->replicates;
   const int q = (int)i, n = (int)m->replicates;
   uint64_t left = m->span.rows;
   for (int g = 0; g < n; g++) {
-    rot_rows_count(at, q, ROT_KIND_MEAN_COUNT, g, left, &group[g].count);
+    rot_long_count(at, q, ROT_KIND_MEAN_COUNT, g, left, &group[g].count);
     if (at->read) left -= group[g].count;
   }
-  for (int g = 0; g < n; g++) rot_rows_number(at, q, ROT_KIND_MEAN_SUM, g, &group[g].sum.hi);
+  for (int g = 0; g < n; g++) rot_long_number(at, q, ROT_KIND_MEAN_SUM, g, &group[g].sum.hi);
   for (int g = 0; g < n; g++) {
     rot_dd *sum = &group[g].sum;
-    rot_rows_number(at, q, ROT_KIND_MEAN_SUM_LOW, g, &sum->lo);
+    rot_long_number(at, q, ROT_KIND_MEAN_SUM_LOW, g, &sum->lo);
     if (!at->read) continue;
-    if (!rot_rows_is_sum(sum->hi, sum->lo) || (group[g].count == 0 && sum->hi != 0.0)) at->bad = 1;
+    if (!rot_long_is_sum(sum->hi, sum->lo) || (group[g].count == 0 && sum->hi != 0.0)) at->bad = 1;
   }
 }
 
 /* Writing and counting change nothing. */
-static size_t write(const rot_means *m, const rot_rows *rows) {
-  rot_rows_at at = {rows, 0, 0, 0, 0};
+static size_t write(const rot_means *m, const rot_long *rows) {
+  rot_long_at at = {rows, 0, 0, 0, 0};
   header h = {m->span, m->n_columns, m->replicates, m->run};
   if (m->span.rows == 0) return 0;
   at_header(&at, &h);
@@ -140,15 +140,15 @@ static size_t write(const rot_means *m, const rot_rows *rows) {
 
 size_t rot_means_rows_size(const rot_means *m) { return write(m, NULL); }
 
-void rot_means_rows(const rot_means *m, const rot_rows *rows) { write(m, rows); }
+void rot_means_rows(const rot_means *m, const rot_long *rows) { write(m, rows); }
 
 /* The header says how many rows there must be, which is compared before memory is taken. */
-rot_status rot_means_read(size_t n, const rot_rows *rows, rot_means **means) {
-  rot_rows_at at = {rows, n, 0, 1, 0};
+rot_status rot_means_read(size_t n, const rot_long *rows, rot_means **means) {
+  rot_long_at at = {rows, n, 0, 1, 0};
   header h = {{0, 0}, 0, 0, 0};
   *means = NULL;
   at_header(&at, &h);
-  if (at.bad || !rot_span_is_node(h.span) || h.replicates < 1 || h.run < 1) return ROT_EVALUE;
+  if (at.bad || !rot_stretch_is_node(h.span) || h.replicates < 1 || h.run < 1) return ROT_EVALUE;
   const uint64_t each = 3 * h.replicates;
   if (h.n_columns > n / each || at.next + h.n_columns * each != n) return ROT_EVALUE;
   rot_means *m = rot_means_new((size_t)h.n_columns, (size_t)h.replicates, h.run);

@@ -14,8 +14,8 @@
 
 #include "ground/dd.h"
 #include "ground/status.h"
-#include "summary/rows.h"
-#include "summary/span.h"
+#include "summary/long.h"
+#include "summary/stretch.h"
 #include "summary/tree.h"
 
 enum { ROT_MEANS_REPLICATES = 4096 };
@@ -26,7 +26,7 @@ typedef struct rot_means_group {
 } rot_means_group;
 
 typedef struct rot_means {
-  rot_span span;
+  rot_stretch span;
   size_t n_columns, replicates;
   uint64_t run;
   rot_means_group *group; /* group[replicates * column + g] */
@@ -48,9 +48,9 @@ extern const rot_tree_node rot_means_node;
  * two groups */
 void rot_means_estimate(const rot_means *means, size_t column, double *mean, double *se);
 
-/* Long form, as that of a summary: kinds ROT_KIND_MEAN_... of summary/rows.h. */
+/* Long form, as that of a summary: kinds ROT_KIND_MEAN_... of summary/long.h. */
 size_t rot_means_rows_size(const rot_means *means);
-void rot_means_rows(const rot_means *means, const rot_rows *rows);
-rot_status rot_means_read(size_t n, const rot_rows *rows, rot_means **means);
+void rot_means_rows(const rot_means *means, const rot_long *rows);
+rot_status rot_means_read(size_t n, const rot_long *rows, rot_means **means);
 
 #endif

@@ -249,9 +249,9 @@ static void add_errors(rot_summary *summary, const rot_summary_block *block) {
 }
 
 rot_status rot_summary_add(rot_summary *summary, const rot_summary_block *block) {
-  const rot_span span = {block->first_row, block->n};
+  const rot_stretch span = {block->first_row, block->n};
   uint16_t failures[ROT_BLOCK_ROWS / PIECE] = {0};
-  if (summary->span.rows > 0 || !rot_span_is_block(span) || block->kept > block->n) {
+  if (summary->span.rows > 0 || !rot_stretch_is_block(span) || block->kept > block->n) {
     return ROT_EVALUE;
   }
   rot_status status = add_statuses(summary, block, failures);
@@ -326,7 +326,7 @@ static int same_columns(const rot_summary *a, const rot_summary *b) {
 /* All memory is taken before anything changes. */
 rot_status rot_summary_merge(rot_summary *into, const rot_summary *from) {
   const size_t n = into->n_columns;
-  if (!rot_span_are_children(into->span, from->span) || !same_columns(into, from)) {
+  if (!rot_stretch_are_children(into->span, from->span) || !same_columns(into, from)) {
     return ROT_EVALUE;
   }
   rot_buckets *sum = calloc(n + 1, sizeof *sum);
@@ -348,7 +348,7 @@ rot_status rot_summary_merge(rot_summary *into, const rot_summary *from) {
   return status;
 }
 
-static rot_span span_of(const void *node) { return ((const rot_summary *)node)->span; }
+static rot_stretch span_of(const void *node) { return ((const rot_summary *)node)->span; }
 static rot_status merge(void *into, const void *from) { return rot_summary_merge(into, from); }
 static void free_node(void *node) { rot_summary_free(node); }
 
@@ -425,7 +425,7 @@ void rot_summary_buckets(const rot_summary *summary, size_t column, double low[]
 
 /* A row that is there for a count above 0: of a reader, if it is the next one; its key is a row of
  * the span. */
-static int is_next(const rot_rows_at *at, int quantity, rot_kind kind) {
+static int is_next(const rot_long_at *at, int quantity, rot_kind kind) {
   return !at->bad && at->rows && at->next < at->n && at->rows->quantity[at->next] == quantity &&
          at->rows->kind[at->next] == (int)kind;
 }
@@ -437,7 +437,7 @@ static int is_row(const rot_summary *summary, int64_t key) {
 
 /* `there`, of a writer: is there such a row? => 1 if it was read or written. The key becomes
  * *row. */
-static int at_row(rot_rows_at *at, const rot_summary *summary, int quantity, rot_kind kind,
+static int at_row(rot_long_at *at, const rot_summary *summary, int quantity, rot_kind kind,
                   int there, uint64_t *row, double *value) {
   if (at->read) {
     if (!is_next(at, quantity, kind)) return 0;
@@ -449,30 +449,30 @@ static int at_row(rot_rows_at *at, const rot_summary *summary, int quantity, rot
   } else if (!there) {
     return 0;
   }
-  rot_rows_number(at, quantity, kind, (int64_t)*row, value);
+  rot_long_number(at, quantity, kind, (int64_t)*row, value);
   return 1;
 }
 
-static void at_count(rot_rows_at *at, const rot_summary *summary, int quantity, rot_kind kind,
+static void at_count(rot_long_at *at, const rot_summary *summary, int quantity, rot_kind kind,
                      uint64_t *count, uint64_t *row) {
   double value = (double)*count;
   if (!at_row(at, summary, quantity, kind, *count > 0, row, &value)) return;
-  if (at->read && (!rot_rows_whole(value, summary->span.rows, count) || *count == 0)) at->bad = 1;
+  if (at->read && (!rot_long_whole(value, summary->span.rows, count) || *count == 0)) at->bad = 1;
 }
 
-static void at_statuses(rot_rows_at *at, rot_summary *summary) {
+static void at_statuses(rot_long_at *at, rot_summary *summary) {
   for (int i = 0; i < ROT_SUMMARY_STATUSES; i++) {
     uint64_t *count = &summary->rows_with_status[i];
     const int there =
         at->read ? is_next(at, ROT_RUN_QUANTITY, ROT_KIND_STATUS) && at->rows->key[at->next] == i
                  : *count > 0;
     if (!there) continue;
-    rot_rows_count(at, ROT_RUN_QUANTITY, ROT_KIND_STATUS, i, summary->span.rows, count);
+    rot_long_count(at, ROT_RUN_QUANTITY, ROT_KIND_STATUS, i, summary->span.rows, count);
     if (at->read && *count == 0) at->bad = 1;
   }
 }
 
-static void at_failed(rot_rows_at *at, rot_summary *summary) {
+static void at_failed(rot_long_at *at, rot_summary *summary) {
   for (size_t i = 0; i < ROT_SUMMARY_FAILED; i++) {
     uint64_t status = (uint64_t)summary->failed_status[i];
     double value = (double)status;
@@ -481,7 +481,7 @@ static void at_failed(rot_rows_at *at, rot_summary *summary) {
       return;
     }
     if (!at->read) continue;
-    if (!rot_rows_whole(value, ROT_SUMMARY_STATUSES - 1, &status) || status == 0 ||
+    if (!rot_long_whole(value, ROT_SUMMARY_STATUSES - 1, &status) || status == 0 ||
         (i > 0 && summary->failed_row[i] <= summary->failed_row[i - 1])) {
       at->bad = 1;
       return;
@@ -491,16 +491,16 @@ static void at_failed(rot_rows_at *at, rot_summary *summary) {
   }
 }
 
-static void at_errors(rot_rows_at *at, rot_summary *summary) {
+static void at_errors(rot_long_at *at, rot_summary *summary) {
   const int run = ROT_RUN_QUANTITY;
-  rot_rows_count(at, run, ROT_KIND_ERROR_ABOVE, 0, summary->span.rows, &summary->error_above);
-  rot_rows_count(at, run, ROT_KIND_ERROR_UNKNOWN, 0, summary->span.rows, &summary->error_unknown);
+  rot_long_count(at, run, ROT_KIND_ERROR_ABOVE, 0, summary->span.rows, &summary->error_above);
+  rot_long_count(at, run, ROT_KIND_ERROR_UNKNOWN, 0, summary->span.rows, &summary->error_unknown);
   const int has = at_row(at, summary, run, ROT_KIND_ERROR_MAX, summary->has_error_max,
                          &summary->error_max_row, &summary->error_max);
   if (at->read) summary->has_error_max = has;
 }
 
-static void at_buckets(rot_rows_at *at, int quantity, uint64_t max, rot_buckets *buckets) {
+static void at_buckets(rot_long_at *at, int quantity, uint64_t max, rot_buckets *buckets) {
   for (size_t i = 0; i < buckets->n && !at->bad; i++) {
     rot_bucket *b = &buckets->at[i];
     double low, high;
@@ -512,14 +512,14 @@ static void at_buckets(rot_rows_at *at, int quantity, uint64_t max, rot_buckets 
       }
       b->bucket = (int32_t)key;
     }
-    rot_rows_count(at, quantity, ROT_KIND_BUCKET, b->bucket, max, &b->count);
+    rot_long_count(at, quantity, ROT_KIND_BUCKET, b->bucket, max, &b->count);
     if (at->read && b->count == 0) at->bad = 1;
   }
 }
 
 /* Memory for the buckets that come next in the rows. */
-static rot_status take_buckets(const rot_rows_at *at, int quantity, rot_buckets *buckets) {
-  rot_rows_at ahead = *at;
+static rot_status take_buckets(const rot_long_at *at, int quantity, rot_buckets *buckets) {
+  rot_long_at ahead = *at;
   while (is_next(&ahead, quantity, ROT_KIND_BUCKET)) ahead.next++;
   const size_t n = ahead.next - at->next;
   buckets->at = calloc(n + 1, sizeof *buckets->at);
@@ -528,18 +528,18 @@ static rot_status take_buckets(const rot_rows_at *at, int quantity, rot_buckets 
   return ROT_OK;
 }
 
-static rot_status at_column(rot_rows_at *at, rot_summary *summary, size_t i) {
+static rot_status at_column(rot_long_at *at, rot_summary *summary, size_t i) {
   rot_summary_column *c = &summary->column[i];
   const int quantity = (int)i;
-  rot_rows_number(at, quantity, ROT_KIND_SHIFT, 0, &c->shift);
-  rot_rows_count(at, quantity, ROT_KIND_FINITE, 0, summary->span.rows, &c->finite);
+  rot_long_number(at, quantity, ROT_KIND_SHIFT, 0, &c->shift);
+  rot_long_count(at, quantity, ROT_KIND_FINITE, 0, summary->span.rows, &c->finite);
   at_count(at, summary, quantity, ROT_KIND_NAN, &c->nan, &c->nan_row);
   at_count(at, summary, quantity, ROT_KIND_PLUS_INF, &c->plus_inf, &c->plus_inf_row);
   at_count(at, summary, quantity, ROT_KIND_MINUS_INF, &c->minus_inf, &c->minus_inf_row);
-  rot_rows_number(at, quantity, ROT_KIND_SUM, 0, &c->sum.hi);
-  rot_rows_number(at, quantity, ROT_KIND_SUM_LOW, 0, &c->sum.lo);
-  rot_rows_number(at, quantity, ROT_KIND_SQUARES, 0, &c->squares.hi);
-  rot_rows_number(at, quantity, ROT_KIND_SQUARES_LOW, 0, &c->squares.lo);
+  rot_long_number(at, quantity, ROT_KIND_SUM, 0, &c->sum.hi);
+  rot_long_number(at, quantity, ROT_KIND_SUM_LOW, 0, &c->sum.lo);
+  rot_long_number(at, quantity, ROT_KIND_SQUARES, 0, &c->squares.hi);
+  rot_long_number(at, quantity, ROT_KIND_SQUARES_LOW, 0, &c->squares.lo);
   const int has =
       at_row(at, summary, quantity, ROT_KIND_MINIMUM, c->finite > 0, &c->minimum_row, &c->minimum) +
       at_row(at, summary, quantity, ROT_KIND_MAXIMUM, c->finite > 0, &c->maximum_row, &c->maximum);
@@ -551,15 +551,15 @@ static rot_status at_column(rot_rows_at *at, rot_summary *summary, size_t i) {
 }
 
 /* Span and number of columns come first: the other rows depend on them. */
-static uint64_t at_header(rot_rows_at *at, rot_span *span, uint64_t n_columns) {
-  rot_rows_count(at, ROT_RUN_QUANTITY, ROT_KIND_FIRST_ROW, 0, ROT_SWEEP_ROWS, &span->first_row);
-  rot_rows_count(at, ROT_RUN_QUANTITY, ROT_KIND_ROWS, 0, ROT_SWEEP_ROWS, &span->rows);
-  rot_rows_count(at, ROT_RUN_QUANTITY, ROT_KIND_COLUMNS, 0, INT32_MAX, &n_columns);
+static uint64_t at_header(rot_long_at *at, rot_stretch *span, uint64_t n_columns) {
+  rot_long_count(at, ROT_RUN_QUANTITY, ROT_KIND_FIRST_ROW, 0, ROT_SWEEP_ROWS, &span->first_row);
+  rot_long_count(at, ROT_RUN_QUANTITY, ROT_KIND_ROWS, 0, ROT_SWEEP_ROWS, &span->rows);
+  rot_long_count(at, ROT_RUN_QUANTITY, ROT_KIND_COLUMNS, 0, INT32_MAX, &n_columns);
   return n_columns;
 }
 
-static rot_status at_rest(rot_rows_at *at, rot_summary *summary) {
-  rot_rows_count(at, ROT_RUN_QUANTITY, ROT_KIND_KEPT, 0, summary->span.rows, &summary->kept);
+static rot_status at_rest(rot_long_at *at, rot_summary *summary) {
+  rot_long_count(at, ROT_RUN_QUANTITY, ROT_KIND_KEPT, 0, summary->span.rows, &summary->kept);
   at_statuses(at, summary);
   at_failed(at, summary);
   at_errors(at, summary);
@@ -571,8 +571,8 @@ static rot_status at_rest(rot_rows_at *at, rot_summary *summary) {
 }
 
 /* Writing and counting change nothing: the values written are the values there are. */
-static size_t write(const rot_summary *summary, const rot_rows *rows) {
-  rot_rows_at at = {rows, 0, 0, 0, 0};
+static size_t write(const rot_summary *summary, const rot_long *rows) {
+  rot_long_at at = {rows, 0, 0, 0, 0};
   rot_summary copy = *summary;
   if (copy.span.rows == 0) return 0;
   at_header(&at, &copy.span, copy.n_columns);
@@ -582,7 +582,7 @@ static size_t write(const rot_summary *summary, const rot_rows *rows) {
 
 size_t rot_summary_rows_size(const rot_summary *summary) { return write(summary, NULL); }
 
-void rot_summary_rows(const rot_summary *summary, const rot_rows *rows) { write(summary, rows); }
+void rot_summary_rows(const rot_summary *summary, const rot_long *rows) { write(summary, rows); }
 
 /* Counts of the run agree with each other and with the rows covered. */
 static int run_agrees(const rot_summary *s) {
@@ -616,7 +616,7 @@ static int column_agrees(const rot_summary_column *c, uint64_t rows) {
     in_buckets += c->buckets.at[i].count;
   }
   if (in_buckets != c->finite) return 0;
-  if (!rot_rows_is_sum(c->sum.hi, c->sum.lo) || !rot_rows_is_sum(c->squares.hi, c->squares.lo) ||
+  if (!rot_long_is_sum(c->sum.hi, c->sum.lo) || !rot_long_is_sum(c->squares.hi, c->squares.lo) ||
       !(c->squares.hi >= 0.0)) {
     return 0;
   }
@@ -636,12 +636,12 @@ static int agrees(const rot_summary *summary) {
 
 /* A column takes at least seven rows: a number of columns that the rows cannot have is refused
  * before memory is taken for it. */
-rot_status rot_summary_read(size_t n, const rot_rows *rows, rot_summary **summary) {
-  rot_rows_at at = {rows, n, 0, 1, 0};
-  rot_span span = {0, 0};
+rot_status rot_summary_read(size_t n, const rot_long *rows, rot_summary **summary) {
+  rot_long_at at = {rows, n, 0, 1, 0};
+  rot_stretch span = {0, 0};
   *summary = NULL;
   const uint64_t n_columns = at_header(&at, &span, 0);
-  if (at.bad || !rot_span_is_node(span) || n_columns > n / 7) return ROT_EVALUE;
+  if (at.bad || !rot_stretch_is_node(span) || n_columns > n / 7) return ROT_EVALUE;
   rot_summary *s = rot_summary_new((size_t)n_columns, NULL);
   if (!s) return ROT_ENOMEM;
   s->span = span;

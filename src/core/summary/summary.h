@@ -1,7 +1,7 @@
 /* What a sweep keeps of its rows: counts, sums, extremes and histograms of its output columns.
  *
  *   rot_summary *part = rot_summary_new(n_columns, shift);
- *   rot_summary_add(part, &block);              one block of rows (summary/span.h)
+ *   rot_summary_add(part, &block);              one block of rows (summary/stretch.h)
  *   rot_tree_add(tree, part);                   tree of type rot_summary_node (summary/tree.h)
  *   ...
  *   rot_tree_finish(tree, &whole);
@@ -30,8 +30,8 @@
 #include "ground/dd.h"
 #include "ground/status.h"
 #include "summary/buckets.h"
-#include "summary/rows.h"
-#include "summary/span.h"
+#include "summary/long.h"
+#include "summary/stretch.h"
 #include "summary/tree.h"
 
 enum { ROT_SUMMARY_STATUSES = 32, ROT_SUMMARY_FAILED = 100 };
@@ -47,7 +47,7 @@ typedef struct rot_summary_column {
 } rot_summary_column;
 
 typedef struct rot_summary {
-  rot_span span; /* rows covered; none at first */
+  rot_stretch span; /* rows covered; none at first */
   size_t n_columns;
   rot_summary_column *column;
   uint64_t rows_with_status[ROT_SUMMARY_STATUSES];
@@ -118,12 +118,12 @@ void rot_summary_buckets(const rot_summary *summary, size_t column, double low[]
 
 /* ---- long form ------------------------------------------------------------------------------- */
 
-/* => number of rows (summary/rows.h); 0 for an empty summary, which has no long form */
+/* => number of rows (summary/long.h); 0 for an empty summary, which has no long form */
 size_t rot_summary_rows_size(const rot_summary *summary);
 /* Fills that many rows. */
-void rot_summary_rows(const rot_summary *summary, const rot_rows *rows);
+void rot_summary_rows(const rot_summary *summary, const rot_long *rows);
 /* n rows => summary, which the caller frees. ROT_EVALUE for rows that no summary has;
  * ROT_ENOMEM. */
-rot_status rot_summary_read(size_t n, const rot_rows *rows, rot_summary **summary);
+rot_status rot_summary_read(size_t n, const rot_long *rows, rot_summary **summary);
 
 #endif

@@ -1,4 +1,4 @@
-/* Joins summaries of parts of a sweep along the tree of its blocks (summary/span.h), in any order
+/* Joins summaries of parts of a sweep along the tree of its blocks (summary/stretch.h), in any order
  * of arrival. The nodes are of one type: rot_summary, rot_indices or rot_means.
  *
  *   rot_tree *tree = rot_tree_new(&rot_summary_node);
@@ -13,11 +13,11 @@
 #define ROT_TREE_H
 
 #include "ground/status.h"
-#include "summary/span.h"
+#include "summary/stretch.h"
 
 /* A type of nodes. */
 typedef struct rot_tree_node {
-  rot_span (*span)(const void *node);
+  rot_stretch (*span)(const void *node);
   rot_status (*merge)(void *into, const void *from); /* `into` is unchanged if it fails */
   void (*free)(void *node);
 } rot_tree_node;

@@ -5,7 +5,7 @@
 
 #include "ground/hash.h"
 #include "rot_test.h"
-#include "summary/rows.h"
+#include "summary/long.h"
 
 /* splitmix64: a state of its own for each use. */
 static inline uint64_t kit_bits(uint64_t *state) {
@@ -29,7 +29,7 @@ static inline size_t kit_below(uint64_t *state, size_t n) { return (size_t)(kit_
 /* n rows of the long form in one allocation, a multiple of eight bytes each. */
 typedef struct kit_table {
   size_t n;
-  rot_rows rows;
+  rot_long rows;
 } kit_table;
 
 static inline kit_table kit_table_new(size_t n) {
@@ -65,7 +65,7 @@ static inline int kit_same(const kit_table *a, const kit_table *b) {
 
 /* Sorted by quantity, kind, key, none twice, all kinds known. */
 static inline int kit_sorted(const kit_table *t) {
-  const rot_rows *r = &t->rows;
+  const rot_long *r = &t->rows;
   for (size_t i = 0; i < t->n; i++) {
     if (!rot_kind_name(r->kind[i])) return 0;
     if (i == 0) continue;
@@ -83,7 +83,7 @@ static inline void kit_damage(uint64_t *state, kit_table *t) {
   static const int64_t keys[] = {0,     1,     -1,     INT64_MAX, INT64_MIN,
                                  65535, 65536, 537344, 255,       1 << 20};
   const size_t i = kit_below(state, t->n), k = kit_below(state, t->n);
-  rot_rows *r = &t->rows;
+  rot_long *r = &t->rows;
   uint64_t bits;
   switch (kit_below(state, 12)) {
   case 0: r->value[i] = odd[kit_below(state, 10)]; break;
@@ -95,7 +95,7 @@ static inline void kit_damage(uint64_t *state, kit_table *t) {
   case 6: t->n = kit_below(state, t->n); break;
   case 7: /* two rows exchanged, each column or all */
   {
-    const rot_rows old = {&r->quantity[i], &r->kind[i], &r->key[i], &r->value[i]};
+    const rot_long old = {&r->quantity[i], &r->kind[i], &r->key[i], &r->value[i]};
     const int quantity = *old.quantity, kind = *old.kind;
     const int64_t key = *old.key;
     const double value = *old.value;

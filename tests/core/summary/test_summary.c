@@ -396,7 +396,7 @@ static void any_chunks(void) {
                                         19 * 65536, 22 * 65536 - 1};
   const size_t last = getenv("ROTDYN_LONG") || rot_test_trials(16) > 1 ? 7 : 5;
   for (size_t i = 0; i < last; i++) {
-    const uint64_t rows = row_counts[i], blocks = rot_span_blocks((rot_span){0, rows});
+    const uint64_t rows = row_counts[i], blocks = rot_stretch_blocks((rot_stretch){0, rows});
     rot_summary *block[22];
     char want[ROT_HASH_SIZE], got[ROT_HASH_SIZE];
     for (uint64_t b = 0; b < blocks; b++) block[b] = block_of(b, rows);

@@ -5,13 +5,13 @@
 #include "summary_kit.h"
 
 typedef struct note {
-  rot_span span;
+  rot_stretch span;
   char *text;
 } note;
 
 static int memory_left = -1; /* merges that succeed; -1: all */
 
-static rot_span span_of(const void *node) { return ((const note *)node)->span; }
+static rot_stretch span_of(const void *node) { return ((const note *)node)->span; }
 
 static void free_note(void *node) {
   free(((note *)node)->text);
@@ -21,7 +21,7 @@ static void free_note(void *node) {
 static rot_status merge(void *into, const void *from) {
   note *a = into;
   const note *b = from;
-  if (!rot_span_are_children(a->span, b->span)) return ROT_EVALUE;
+  if (!rot_stretch_are_children(a->span, b->span)) return ROT_EVALUE;
   if (memory_left == 0) return ROT_ENOMEM;
   if (memory_left > 0) memory_left--;
   char *text = malloc(strlen(a->text) + strlen(b->text) + 4);
@@ -36,7 +36,7 @@ static const rot_tree_node type = {span_of, merge, free_note};
 
 static note *leaf(uint64_t block, uint64_t rows) {
   note *node = malloc(sizeof *node);
-  node->span = (rot_span){block * ROT_BLOCK_ROWS, rows};
+  node->span = (rot_stretch){block * ROT_BLOCK_ROWS, rows};
   node->text = malloc(24);
   sprintf(node->text, "%d", (int)block);
   return node;
@@ -183,20 +183,20 @@ static void no_memory(void) {
 
 static void spans(void) {
   const uint64_t b = ROT_BLOCK_ROWS;
-  ROT_CHECK_EQ_INT(rot_span_blocks((rot_span){0, 1}), 1);
-  ROT_CHECK_EQ_INT(rot_span_blocks((rot_span){0, b}), 1);
-  ROT_CHECK_EQ_INT(rot_span_blocks((rot_span){0, b + 1}), 2);
-  ROT_CHECK_EQ_INT(rot_span_size((rot_span){0, 3 * b}), 4 * b);
-  ROT_CHECK(rot_span_are_children((rot_span){4 * b, 2 * b}, (rot_span){6 * b, 2 * b}));
-  ROT_CHECK(rot_span_are_children((rot_span){4 * b, 2 * b}, (rot_span){6 * b, 1}));
-  ROT_CHECK(!rot_span_are_children((rot_span){2 * b, 2 * b}, (rot_span){4 * b, 2 * b}));
-  ROT_CHECK(!rot_span_are_children((rot_span){4 * b, 2 * b}, (rot_span){6 * b, 3 * b}));
-  ROT_CHECK(!rot_span_are_children((rot_span){4 * b, 2 * b - 1}, (rot_span){6 * b, b}));
-  ROT_CHECK(!rot_span_are_children((rot_span){4 * b, 2 * b}, (rot_span){7 * b, b}));
-  ROT_CHECK(!rot_span_are_children((rot_span){4 * b, 2 * b}, (rot_span){6 * b, 0}));
-  ROT_CHECK(rot_span_is_node((rot_span){0, ROT_SWEEP_ROWS}));
-  ROT_CHECK(rot_span_is_block((rot_span){7 * b, b}));
-  ROT_CHECK(!rot_span_is_block((rot_span){8 * b, b + 1}));
+  ROT_CHECK_EQ_INT(rot_stretch_blocks((rot_stretch){0, 1}), 1);
+  ROT_CHECK_EQ_INT(rot_stretch_blocks((rot_stretch){0, b}), 1);
+  ROT_CHECK_EQ_INT(rot_stretch_blocks((rot_stretch){0, b + 1}), 2);
+  ROT_CHECK_EQ_INT(rot_stretch_size((rot_stretch){0, 3 * b}), 4 * b);
+  ROT_CHECK(rot_stretch_are_children((rot_stretch){4 * b, 2 * b}, (rot_stretch){6 * b, 2 * b}));
+  ROT_CHECK(rot_stretch_are_children((rot_stretch){4 * b, 2 * b}, (rot_stretch){6 * b, 1}));
+  ROT_CHECK(!rot_stretch_are_children((rot_stretch){2 * b, 2 * b}, (rot_stretch){4 * b, 2 * b}));
+  ROT_CHECK(!rot_stretch_are_children((rot_stretch){4 * b, 2 * b}, (rot_stretch){6 * b, 3 * b}));
+  ROT_CHECK(!rot_stretch_are_children((rot_stretch){4 * b, 2 * b - 1}, (rot_stretch){6 * b, b}));
+  ROT_CHECK(!rot_stretch_are_children((rot_stretch){4 * b, 2 * b}, (rot_stretch){7 * b, b}));
+  ROT_CHECK(!rot_stretch_are_children((rot_stretch){4 * b, 2 * b}, (rot_stretch){6 * b, 0}));
+  ROT_CHECK(rot_stretch_is_node((rot_stretch){0, ROT_SWEEP_ROWS}));
+  ROT_CHECK(rot_stretch_is_block((rot_stretch){7 * b, b}));
+  ROT_CHECK(!rot_stretch_is_block((rot_stretch){8 * b, b + 1}));
 }
 
 int main(void) {

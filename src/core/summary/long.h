@@ -7,14 +7,14 @@
  * means (200 to 299) may share a table: each reader is given the rows of its own kinds, in order.
  *
  * Rows to summary to rows gives the same bits. Readers refuse rows that no summary writes. */
-#ifndef ROT_SUMMARY_ROWS_H
-#define ROT_SUMMARY_ROWS_H
+#ifndef ROT_LONG_H
+#define ROT_LONG_H
 
 #include <stddef.h>
 #include <stdint.h>
 
 #include "ground/ieee.h"
-#include "summary/span.h"
+#include "summary/stretch.h"
 
 enum { ROT_RUN_QUANTITY = -1 };
 
@@ -77,33 +77,33 @@ typedef enum rot_kind {
 const char *rot_kind_name(int kind);
 
 /* Columns of the long form, each of the caller's memory. Readers change nothing. */
-typedef struct rot_rows {
+typedef struct rot_long {
   int *quantity, *kind;
   int64_t *key;
   double *value;
-} rot_rows;
+} rot_long;
 
 /* ---- for the readers and writers of this folder ---------------------------------------------- */
 
 /* 1, and the number, if x is a whole number from 0 to max <= 2^52; -0 is none. */
-int rot_rows_whole(double x, uint64_t max, uint64_t *whole);
+int rot_long_whole(double x, uint64_t max, uint64_t *whole);
 
 /* 1 if sum and compensation are a double-double number, or not finite without compensation. */
-int rot_rows_is_sum(double hi, double lo);
+int rot_long_is_sum(double hi, double lo);
 
 /* A place in the rows. Writers and readers of a fixed form go through the same places: one routine,
  * the form, serves counting (rows NULL), writing and reading. */
-typedef struct rot_rows_at {
-  const rot_rows *rows; /* NULL: count only */
+typedef struct rot_long_at {
+  const rot_long *rows; /* NULL: count only */
   size_t n, next;       /* rows there are, of readers; next row */
   int read;             /* 1: read; 0: write */
   int bad;              /* 1: a row is not what the form has here */
-} rot_rows_at;
+} rot_long_at;
 
 /* The next row: writes *value, or reads it. */
-void rot_rows_number(rot_rows_at *at, int quantity, rot_kind kind, int64_t key, double *value);
+void rot_long_number(rot_long_at *at, int quantity, rot_kind kind, int64_t key, double *value);
 /* The same for a whole number up to max. */
-void rot_rows_count(rot_rows_at *at, int quantity, rot_kind kind, int64_t key, uint64_t max,
+void rot_long_count(rot_long_at *at, int quantity, rot_kind kind, int64_t key, uint64_t max,
                     uint64_t *value);
 
 #endif

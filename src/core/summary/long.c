@@ -1,4 +1,4 @@
-#include "summary/rows.h"
+#include "summary/long.h"
 
 #include <math.h>
 
@@ -12,17 +12,17 @@ const char *rot_kind_name(int kind) {
   }
 }
 
-int rot_rows_whole(double x, uint64_t max, uint64_t *whole) {
+int rot_long_whole(double x, uint64_t max, uint64_t *whole) {
   if (!(x >= 0.0 && x <= (double)max) || signbit(x) || x != floor(x)) return 0;
   *whole = (uint64_t)x;
   return 1;
 }
 
-int rot_rows_is_sum(double hi, double lo) {
+int rot_long_is_sum(double hi, double lo) {
   return isfinite(hi) ? hi + lo == hi : lo == 0.0 && !signbit(lo);
 }
 
-void rot_rows_number(rot_rows_at *at, int quantity, rot_kind kind, int64_t key, double *value) {
+void rot_long_number(rot_long_at *at, int quantity, rot_kind kind, int64_t key, double *value) {
   const size_t i = at->next++;
   if (!at->rows || at->bad) return;
   if (!at->read) {
@@ -38,9 +38,9 @@ void rot_rows_number(rot_rows_at *at, int quantity, rot_kind kind, int64_t key, 
   }
 }
 
-void rot_rows_count(rot_rows_at *at, int quantity, rot_kind kind, int64_t key, uint64_t max,
+void rot_long_count(rot_long_at *at, int quantity, rot_kind kind, int64_t key, uint64_t max,
                     uint64_t *value) {
   double x = (double)*value;
-  rot_rows_number(at, quantity, kind, key, &x);
-  if (at->read && !at->bad && !rot_rows_whole(x, max, value)) at->bad = 1;
+  rot_long_number(at, quantity, kind, key, &x);
+  if (at->read && !at->bad && !rot_long_whole(x, max, value)) at->bad = 1;
 }

@@ -6,8 +6,8 @@
  * where the right child has no rows, the left child takes the place of the node. So the tree
  * depends on the number of rows alone, and sums that are added along it do not depend on threads,
  * order of arrival or chunks: a chunk of 2^k blocks is a node. */
-#ifndef ROT_SPAN_H
-#define ROT_SPAN_H
+#ifndef ROT_STRETCH_H
+#define ROT_STRETCH_H
 
 #include <stdint.h>
 
@@ -18,39 +18,40 @@ enum { ROT_BLOCK_ROWS = 65536 };
 #define ROT_SWEEP_ROWS ((uint64_t)1 << 52) /* max rows of a sweep: exact as doubles */
 
 /* Rows first_row .. first_row + rows - 1; none for rows = 0. */
-typedef struct rot_span {
+typedef struct rot_stretch {
   uint64_t first_row, rows;
-} rot_span;
+} rot_stretch;
 
 /* => number of blocks, the last of which may be incomplete */
-static inline uint64_t rot_span_blocks(rot_span span) {
+static inline uint64_t rot_stretch_blocks(rot_stretch span) {
   return (span.rows + ROT_BLOCK_ROWS - 1) / ROT_BLOCK_ROWS;
 }
 
 /* => rows of the smallest subtree for that many rows: a power of two of blocks */
-static inline uint64_t rot_span_size(rot_span span) {
+static inline uint64_t rot_stretch_size(rot_stretch span) {
   uint64_t size = ROT_BLOCK_ROWS;
   while (size < span.rows) size *= 2;
   return size;
 }
 
 /* 1 for rows that a node can cover: some, up to 2^52, from the first row of a subtree on. */
-static inline int rot_span_is_node(rot_span span) {
+static inline int rot_stretch_is_node(rot_stretch span) {
   return span.rows > 0 && span.rows <= ROT_SWEEP_ROWS &&
-         span.first_row <= ROT_SWEEP_ROWS - span.rows && span.first_row % rot_span_size(span) == 0;
+         span.first_row <= ROT_SWEEP_ROWS - span.rows &&
+         span.first_row % rot_stretch_size(span) == 0;
 }
 
 /* 1 if the nodes are the left and the right child of a node. The left one is complete, the right
  * one is so except at the end of the sweep. */
-static inline int rot_span_are_children(rot_span left, rot_span right) {
-  return rot_span_is_node(left) && rot_span_is_node(right) && left.rows == rot_span_size(left) &&
-         left.first_row % (2 * left.rows) == 0 && right.first_row == left.first_row + left.rows &&
-         right.rows <= left.rows;
+static inline int rot_stretch_are_children(rot_stretch left, rot_stretch right) {
+  return rot_stretch_is_node(left) && rot_stretch_is_node(right) &&
+         left.rows == rot_stretch_size(left) && left.first_row % (2 * left.rows) == 0 &&
+         right.first_row == left.first_row + left.rows && right.rows <= left.rows;
 }
 
 /* 1 for one block: n rows, up to 2^16, from the first row of a block on. */
-static inline int rot_span_is_block(rot_span span) {
-  return rot_span_is_node(span) && span.rows <= ROT_BLOCK_ROWS;
+static inline int rot_stretch_is_block(rot_stretch span) {
+  return rot_stretch_is_node(span) && span.rows <= ROT_BLOCK_ROWS;
 }
 
 #endif
