@@ -44,7 +44,10 @@ constants <- list(
 words <- function() utils::read.csv("argument-words.csv", comment.char = "#")$argument
 tidyverse_names <- function() utils::read.csv("tidyverse-names.csv", na.strings = "")
 # Those that take anything: numbers, bodies, records, laws by name.
-takes_anything <- c("forces", "join_bodies", "uncertainty_budget", "compare_runs", "time_when")
+takes_anything <- c(
+  "forces", "join_bodies", "uncertainty_budget", "compare_runs", "time_when", "design_grid",
+  "design_random", "design_latin", "design_sobol", "design_saltelli"
+)
 old_words <- c(
   "omega1_rad_per_s", "omega2_rad_per_s", "theta1_rad", "theta2_rad", "torque_1", "torque_2",
   "inertia_1_kg_m2", "inertia_2_kg_m2", "force_breaks_s", "joint_n_m_s", "objects", "disk_1"
@@ -209,7 +212,7 @@ test_that("every word of an argument has one meaning, and is in use", {
   expect_identical(anyDuplicated(meanings$meaning), 0L)
   expect_true(all(nzchar(meanings$meaning)))
   expect_setequal(
-    meanings$argument[grepl(";", meanings$meaning)], c("order", "rows", "second", "y")
+    meanings$argument[grepl(";", meanings$meaning)], c("first", "order", "rows", "second", "y")
   )
   used <- unique(unlist(arguments_of(functions())))
   expect_identical(setdiff(meanings$argument, used), character())

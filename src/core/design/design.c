@@ -52,9 +52,9 @@ static rot_status count_rows(rot_design *d, rot_store *store) {
       d->n *= levels;
     }
   } else {
-    const uint64_t copies = d->kind == ROT_DESIGN_SALTELLI ? d->n_varied + 2 : 1;
-    if (d->points > ROT_DESIGN_MAX_ROWS / copies) return ROT_EVALUE;
-    d->n = d->points * copies;
+    const uint64_t variants = d->kind == ROT_DESIGN_SALTELLI ? d->n_varied + 2 : 1;
+    if (d->points > ROT_DESIGN_MAX_ROWS / variants) return ROT_EVALUE;
+    d->n = d->points * variants;
   }
   return d->n > 0 && d->n <= ROT_DESIGN_MAX_ROWS ? ROT_OK : ROT_EVALUE;
 }
@@ -135,18 +135,18 @@ static void grid_column(const rot_vary *law, uint64_t stride, uint64_t first, si
 /* Row j (d + 2) + k has coordinates of A (k = 0), of B (k = 1), or of A with that of B for input
  * k - 2. */
 static void saltelli_column(const rot_design *d, size_t v, uint64_t first, size_t n, double u[]) {
-  const uint64_t copies = d->n_varied + 2;
-  uint64_t j = first / copies, k = first % copies;
+  const uint64_t variants = d->n_varied + 2;
+  uint64_t j = first / variants, k = first % variants;
   for (size_t i = 0; i < n;) {
     double a[ROT_SOBOL_NEAR], b[ROT_SOBOL_NEAR];
-    const uint64_t left = (k + n - i + copies - 1) / copies;
+    const uint64_t left = (k + n - i + variants - 1) / variants;
     const size_t skip = (size_t)(j % ROT_SOBOL_NEAR);
     const size_t m = left < ROT_SOBOL_NEAR - skip ? (size_t)left : ROT_SOBOL_NEAR - skip;
     rot_sobol_column(&d->sobol[v], j, m, a);
     rot_sobol_column(&d->sobol[d->n_varied + v], j, m, b);
     for (size_t at = 0; at < m; at++, j++) {
-      for (; k < copies && i < n; k++, i++) u[i] = k == 1 || k == v + 2 ? b[at] : a[at];
-      if (k == copies) k = 0;
+      for (; k < variants && i < n; k++, i++) u[i] = k == 1 || k == v + 2 ? b[at] : a[at];
+      if (k == variants) k = 0;
     }
   }
 }

@@ -1,7 +1,7 @@
 /* Random numbers by their place: Philox 4x32 with 10 rounds, a function of (seed, row, column).
  *
- * Reference: J. K. Salmon, M. A. Moraes, R. O. Dror and D. E. Shaw, Parallel random numbers: as easy
- * as 1, 2, 3, SC11 (2011). */
+ * Reference: J. K. Salmon, M. A. Moraes, R. O. Dror and D. E. Shaw, Parallel random numbers: as
+ * easy as 1, 2, 3, SC11 (2011). */
 #ifndef ROT_PHILOX_H
 #define ROT_PHILOX_H
 

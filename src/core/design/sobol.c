@@ -18,7 +18,9 @@ static inline uint64_t reversed(uint64_t x) {
 }
 
 /* Bit k of the result is bit k of x, changed or not by a hash of the bits below: a permutation that
- * is nested, and so is each step. */
+ * is nested, as each of its steps is. The first term and the first odd factor alone, of 64 random
+ * bits each, give any two points the joint distribution of Owen's scrambling, so means have its
+ * variance; the other steps bring sums of many points near the normal law. */
 static inline uint64_t scramble(const rot_sobol *s, uint64_t x) {
   for (int i = 0; i < ROT_SOBOL_ROUNDS; i++) {
     x += s->add[i];

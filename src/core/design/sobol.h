@@ -1,5 +1,5 @@
-/* Sobol's sequence by the number of its point, in the order of the Gray code, with or without Owen's
- * scrambling. 52 bits, so that 2^52 points differ.
+/* Sobol's sequence by the number of its point, in the order of the Gray code, with or without
+ * Owen's scrambling. 52 bits, so that 2^52 points differ.
  *
  * References: I. M. Sobol', USSR Comput. Math. Math. Phys. 7 (1967) 86; I. A. Antonov and V. M.
  * Saleev, ibid. 19 (1979) 252 (Gray code); A. B. Owen, in Monte Carlo and Quasi-Monte Carlo Methods

@@ -1,4 +1,5 @@
-/* Quantile functions against distribution functions written anew, known values, ends, truncation. */
+/* Quantile functions against distribution functions written anew, known values, ends,
+ * truncation. */
 #include "design/laws.h"
 #include "rot_test.h"
 

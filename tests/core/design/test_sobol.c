@@ -3,9 +3,9 @@
 #include "design/sobol.h"
 #include "rot_test.h"
 
-/* Of each dimension a digest of the first 4096 points and one of the 52 direction numbers, from
- * scipy.stats.qmc.Sobol(d = 64, scramble = False, bits = 52): h = 6364136223846793005 h + x + 1, and
- * without the 1. */
+/* Of each dimension a digest of the first 4096 points, h = 6364136223846793005 h + x + 1 of their
+ * bits, and one of the 52 direction numbers, without the 1. From scipy.stats.qmc.Sobol(d = 64,
+ * scramble = False, bits = 52). */
 static const uint64_t reference[ROT_SOBOL_DIMENSIONS][2] = {
     {0x539375973616b000u, 0x947db1cb17939617u}, {0xd39375973616b000u, 0x34c1b3782fb8ebb5u},
     {0x539375973616b000u, 0xaa89c7ba71c2599bu}, {0xd39375973616b000u, 0x930ea06f912981e3u},
