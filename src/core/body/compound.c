@@ -415,3 +415,7 @@ const rot_part rot_compound_parts[] = {
     PART("size_m", ROT_INPUT_SIZES, size_inputs, sizeof(double[ROT_SIZE_COUNT]), build_sizes),
     BODY_PART("rot_body", numbers_inputs, build_numbers)};
 const size_t rot_compound_n_parts = sizeof rot_compound_parts / sizeof *rot_compound_parts;
+
+int rot_compound_is_derived(const rot_part *part) {
+  return part->build == build_numbers || part->build == build_sizes;
+}

@@ -161,6 +161,7 @@ static rot_status flows_at_ends(rot_rows_worker *w, const void *scene, const rot
   own.n = ends[0] < ends[1] ? 2 : 1;
   own.time_s = ends;
   own.asked = 1;
+  own.without = o->picked.dropped ? o->picked.untaken : 0u;
   rot_run_model(w->constraint, scene, o->picked.model, &own, &want, &two, NULL);
   rot_events_free(&two.events);
   for (size_t k = 0; k < w->constraint->n_flows; k++) w->flow[k][n - 1] = w->flow[k][own.n - 1];

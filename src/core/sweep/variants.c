@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "body/compound.h"
 #include "engine/resistance.h"
 #include "scene/run.h"
 
@@ -48,10 +49,9 @@ static int visit_one(walk *w, const rot_object *object, const rot_input *input, 
   return w->visit(&place, w->path, w->ctx);
 }
 
-/* Of a resistance the terms that the input takes it for; of sizes nothing: no number depends on
- * them. */
+/* Of a resistance the terms that the input takes it for; of derived numbers nothing. */
 static int is_taken(const rot_object *object, const rot_input *of, const char *name) {
-  if (object->part && object->part->makes == ROT_INPUT_SIZES) return 0;
+  if (object->part && rot_compound_is_derived(object->part)) return 0;
   const char *const *terms = of && of->kinds & ROT_INPUT_RESISTANCE ? of->options : NULL;
   size_t i = 0;
   if (object->part != &rot_resistance_part || !terms) return 1;
