@@ -124,6 +124,11 @@ static void values(void) {
   ROT_CHECK_ULP(quantile(&l, 0.25 - 0x1p-54), 5.0, 0);
   ROT_CHECK_ULP(quantile(&l, 0.25), 7.0, 0); /* the second has no weight */
   ROT_CHECK_ULP(quantile(&l, 1 - 0x1p-53), 7.0, 0);
+  /* Where the sum of weights rounds, the last one has still none. */
+  const double least[] = {0x1p-1074, 0.0, 0.0, 0.0};
+  l.weight = least;
+  ROT_CHECK_EQ_INT(rot_vary_begin(&l, &store), ROT_OK);
+  ROT_CHECK_ULP(quantile(&l, 0.75), 5.0, 0);
   rot_store_free(&store);
 }
 
