@@ -350,7 +350,7 @@ check_design <- function(design, arg, call) {
   remedy <- "Make one with {.fn design_sobol} or another design."
   check_class(design, "rot_design", arg, remedy, call)
   size <- tryCatch(.Call(ffi_design_size, design), error = function(e) NULL)
-  names <- names(.subset2(design, "inputs"))
+  names <- if (!is.null(size)) names(.subset2(design, "inputs"))
   if (is.null(size) || anyNA(names) || !all(nzchar(names)) || anyDuplicated(names) ||
     !is_readable_text(names) || "row" %in% names) {
     abort_rotdyn(c(

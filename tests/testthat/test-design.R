@@ -219,6 +219,7 @@ test_that("a damaged design is an error of the package", {
     quote(design$correlation$matrix <- c(1, 1, 1, 1)), quote(design$correlation <- 3),
     quote(design$kind <- "saltelli"), quote(design$kind <- "list")
   )
+  expect_error(design_rows(structure(3, class = "rot_design")), class = "rotdyn_error_type")
   for (damage in damages) {
     design <- sound
     eval(damage)
