@@ -471,6 +471,35 @@ column_list <- list(
   c("input", "", "the quantity that contributes"),
   c("output", "", "name of the output"),
   c("domain", "", "numbers that it takes"),
+  c("rows_done", "1", "rows computed and committed"),
+  c("rows", "1", "number of rows"),
+  c("chunks_done", "1", "chunks computed and committed"),
+  c("chunks", "1", "number of chunks"),
+  c("time_left_s", "s", "time that the others take in one thread"),
+  c("writing", "1", "files that are being written"),
+  c("owner", "", "host and process that coordinate"),
+  c("chunk", "1", "number of the chunk"),
+  c("kept", "1", "rows kept"),
+  c("bytes", "B", "size of the file of rows"),
+  c("seconds", "s", "time that it took"),
+  c("fault", "", "what is wrong"),
+  c("mean_error", "1", "standard error of the mean, in the unit of the row"),
+  c("sd", "", "standard deviation"),
+  c("min", "", "least value"),
+  c("min_row", "1", "the first row with it"),
+  c("max", "", "largest value"),
+  c("max_row", "1", "the first row with it"),
+  c("finite", "1", "rows with a finite value"),
+  c("infinite", "1", "rows with an infinite one"),
+  c("p", "1", "probability"),
+  c("low", "", "lower bound"),
+  c("high", "", "upper bound"),
+  c("first", "1", "share of the variance that the input explains alone"),
+  c("first_error", "1", "its standard error"),
+  c("total", "1", "share of the variance that involves the input"),
+  c("total_error", "1", "its standard error"),
+  c("other", "", "the model that it is compared with"),
+  c("difference", "1", "difference of two results"),
   c("u", "", "standard uncertainty, in the unit of the value"),
   c("dof", "1", "degrees of freedom"),
   c("sensitivity", "", "change of the output for that of the input"),
@@ -855,3 +884,30 @@ sweep_inputs_meanings <- c(
   meaning = "in words"
 )
 sweep_outputs_columns <- c("output", "unit", "meaning")
+sweep_status_columns <- c(
+  "rows_done", "rows", "chunks_done", "chunks", "time_left_s", "writing", "owner"
+)
+sweep_status_meanings <- c(rows = "of the sweep")
+sweep_receipt_columns <- c("chunk", "rows", "kept", "bytes", "seconds")
+sweep_receipt_meanings <- c(rows = "computed")
+sweep_check_columns <- c("chunk", "fault")
+sweep_check_meanings <- character()
+sweep_summary_columns <- c(
+  "output", "unit", "mean", "mean_error", "sd", "min", "min_row", "max", "max_row", "finite",
+  "infinite"
+)
+sweep_summary_meanings <- c(
+  mean = "of the finite values", sd = "their standard deviation, n - 1 in the denominator"
+)
+sweep_quantile_columns <- c("output", "p", "value", "low", "high")
+sweep_quantile_meanings <- c(
+  value = "the middle of the interval", low = "lower bound of the quantile",
+  high = "upper bound of the quantile"
+)
+sweep_index_columns <- c("output", "input", "first", "first_error", "total", "total_error")
+sweep_index_meanings <- c(input = "the input of the design")
+sweep_audit_columns <- c("row", "model", "other", "verdict", "difference")
+sweep_audit_meanings <- c(
+  row = "number of the row", verdict = "of its audit",
+  difference = "at the end, over what both errors allow"
+)

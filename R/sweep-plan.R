@@ -33,14 +33,14 @@
 #'   and outputs: the rows for which it holds, and the summary of all.
 #' @param audit_rows How many rows a summary computes again by [trajectory()] with another model,
 #'   and audits.
-#' @param chunk_rows Rows computed and committed at a time, a power of two of at least 256. NULL:
-#'   about ten seconds of work.
+#' @param chunk_rows Rows computed and committed at a time, a power of two, at least 65,536 of a
+#'   closed form and 256 of what is integrated. NULL: about ten seconds of work.
 #' @return A list of class `rot_sweep_plan`, with a print method. Its elements are not part of the
 #'   interface.
 #' @section Errors: `rotdyn_error_argument` for an input or output that the scene lacks, with the
 #'   nearest ones; `rotdyn_error_value` for a law with probability outside the domain of its input,
-#'   for a damaged formula and for a `build` with free variables; `rotdyn_error_model` where no model
-#'   takes the rows; `rotdyn_error_type`, `rotdyn_error_time`, `rotdyn_error_size`.
+#'   for a damaged formula and for a `build` with free variables; `rotdyn_error_model` where no
+#'   model takes the rows; `rotdyn_error_type`, `rotdyn_error_time`, `rotdyn_error_size`.
 #' @source The choice of a model: [choose_model()].
 #' @seealso [sweep_run()], [sweep_inputs()], [design_sobol()], [vary_normal()].
 #' @concept parameter study
@@ -89,6 +89,7 @@ sweep_plan <- function(scene, time_s, design, outputs = NULL, ..., derive = NULL
   plan <- plan_model(plan, model, call)
   plan <- plan_kept(plan, keep, call)
   class(plan) <- "rot_sweep_plan"
+  plan <- plan_sums(plan)
   plan <- plan_cost(plan, call)
   plan$chunk_rows <- check_chunk_rows(chunk_rows, plan, call)
   plan
@@ -364,18 +365,29 @@ plan_cost <- function(plan, call) {
   spent <- 0
   pieces <- spread_rows(plan, 16)
   size <- 4
+  seen <- list()
   repeat {
     for (first in pieces) {
       m <- min(size, plan$n - first + 1)
-      took <- system.time(rows_of_sweep(plan, first, m, call = call), gcFirst = FALSE)[[1L]]
+      took <- system.time(
+        found <- rows_of_sweep(plan, first, m, call = call), gcFirst = FALSE
+      )[[1L]]
+      # All of the first pass: what follows from it does not depend on the clock.
+      if (size == 4) seen[[length(seen) + 1L]] <- found$output
       rows <- rows + m
       spent <- spent + took
-      if (proc.time()[[3L]] - start > 0.5) break
+      if (size > 4 && proc.time()[[3L]] - start > 0.5) break
     }
     if (spent > 0.02 || size > 4096 || proc.time()[[3L]] - start > 0.5) break
     size <- size * 8
   }
   plan$row_s <- max(spent, 1e-4) / rows
+  # Near the mean, for the sums of squares.
+  plan$shift <- vapply(seq_along(plan$outputs), function(k) {
+    x <- unlist(lapply(seen, `[[`, k))
+    x <- x[is.finite(x)]
+    if (length(x)) signif(mean(x), 6) else 0
+  }, double(1))
   plan
 }
 
@@ -386,10 +398,10 @@ row_bytes <- function(plan) {
 check_chunk_rows <- function(chunk_rows, plan, call) {
   if (is.null(chunk_rows)) {
     most <- if (plan$keep == "rows") 2^22 else 2^26
-    rows <- 2^round(log2(max(10 / plan$row_s, 256)))
-    return(max(min(rows, most), 256, 2^ceiling(log2(plan$n / 65536))))
+    rows <- 2^round(log2(10 / plan$row_s))
+    return(max(min(rows, most), plan$block_rows, 2^ceiling(log2(plan$n / 65536))))
   }
-  chunk_rows <- check_number(chunk_rows, "chunk_rows", "1", call, 256, 2^30)
+  chunk_rows <- check_number(chunk_rows, "chunk_rows", "1", call, plan$block_rows, 2^30)
   if (chunk_rows != 2^round(log2(chunk_rows))) {
     abort_rotdyn(c(
       "{.arg chunk_rows} must be a power of two.", x = "It is {format(chunk_rows)}.",
@@ -416,8 +428,8 @@ print.rot_sweep_plan <- function(x, ...) {
     takes = if (!is.null(x$taken) && x$taken < 1) {
       paste0("the model takes ", format(100 * x$taken, digits = 3), " % of the rows looked at")
     },
-    time = paste0(seconds_words(x$n * x$row_s), " in one thread (", format_si(x$row_s),
-                  "s a row, measured)"),
+    time = paste0(seconds_words(x$n * x$row_s), " in one thread (",
+                  prefixed(x$row_s, "s"), " a row, measured)"),
     keeps = kept_words(x),
     chunks = paste0(count(n_chunks(x)), " of ", count(x$chunk_rows), " rows (",
                     seconds_words(x$chunk_rows * x$row_s), "): what a lost worker costs")
@@ -437,13 +449,20 @@ way_words <- function(plan) {
 }
 
 kept_words <- function(plan) {
-  bytes <- function(n) paste0(format_si(n), "B")
+  bytes <- function(n) prefixed(n, "B")
   all <- bytes(plan$n * row_bytes(plan))
   switch(plan$keep,
     rows = paste0("all rows: ", all),
-    some = paste0("the rows where ", plan$condition$text, ", and a summary of all (all: ", all, ")"),
+    some = paste0("the rows where ", plan$condition$text, ", and a summary of all"),
     summary = paste0("a summary (all rows: ", all, ")")
   )
+}
+
+# "2.2 us", "14 MB"
+prefixed <- function(x, unit) {
+  power <- if (x > 0) min(max(floor(log10(x * 1.0005) / 3), -3), 5) else 0
+  prefix <- c("n", "u", "m", "", "k", "M", "G", "T", "P")[power + 4]
+  paste0(format(signif(x / 1000^power, 3), digits = 3), " ", prefix, unit)
 }
 
 seconds_words <- function(s) {

@@ -20,7 +20,8 @@ row_statuses <- function() {
 }
 
 # Rows first .. first + n - 1, from 1, up to 2^16 => list(input, output, status, error): columns of
-# the design's and the derived inputs, of the outputs, places of row_statuses() from 0, error figures.
+# the design's and the derived inputs, of the outputs, places of row_statuses() from 0, error
+# figures.
 rows_of_sweep <- function(plan, first, n, threads = 1, progress = NULL, call) {
   if (plan$way == "scene") return(rows_of_scenes(plan, first, n, progress, call))
   found <- .Call(ffi_sweep_rows, core_sweep(plan, threads), first - 1, n, progress)
@@ -108,7 +109,7 @@ rows_of_scenes <- function(plan, first, n, progress, call) {
 # user's function and ends the sweep.
 status_of_error <- function(e) {
   kind <- sub("^rotdyn_error_", "", class(e)[startsWith(class(e), "rotdyn_error_")][1])
-  same <- c(scene = "value", inertia = "value", accuracy = "model", time = "value", torque = "torque")
+  same <- c(scene = "value", inertia = "value", accuracy = "model", time = "value")
   at <- match(if (kind %in% names(same)) same[[kind]] else kind, row_statuses())
   if (is.na(at)) rlang::cnd_signal(e)
   at - 1L

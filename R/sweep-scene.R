@@ -51,9 +51,6 @@ scene_of_node <- function(node, call) {
   read_node(node, text_readers(), "the scene", call)
 }
 
-# The object that is read as it is: laws of R.
-sound_number <- function(x) is.double(x) && length(x) == 1L && is.finite(x)
-
 # ---- outputs of a motion ------------------------------------------------------------------------
 
 # The outputs of a trajectory by their names, as src/core/sweep/outputs.c has them.
@@ -79,7 +76,10 @@ outputs_of_motion <- function(motion, outputs) {
     x <- motion[[sub("^(final|max_abs|max|min)_", "", base)]]
     if (!is.null(index)) x <- x[motion[[index]] == place]
     x <- as.double(x)
-    switch(kind, final = if (length(x)) x[length(x)] else NaN, max = most(x), min = -most(-x), max_abs = most(abs(x)))
+    switch(kind,
+      final = if (length(x)) x[length(x)] else NaN, max = most(x), min = -most(-x),
+      max_abs = most(abs(x))
+    )
   }, double(1), USE.NAMES = FALSE)
   replace(values, is.na(values), NaN)
 }

@@ -81,7 +81,8 @@ typedef struct rot_info {
 /* method => name of the list above */
 const char *rot_method_name(rot_method method);
 
-/* Sets all to zero, but for measures beyond these, and names them: a list that ends with NULL, or NULL for none. */
+/* Sets all to zero, but for measures beyond these, and names them: a list that ends with NULL, or
+ * NULL for none. */
 void rot_info_clear(rot_info *info, const char *const names[]);
 /* Names and clears the measures only. */
 void rot_info_measures(rot_info *info, const char *const names[]);

@@ -84,6 +84,32 @@ static rot_status keep_rows(const work *w, uint64_t first, size_t n, const doubl
   return status;
 }
 
+/* ---- the checksum ---------------------------------------------------------------------------- */
+
+/* One round of a multiplicative hash; the constant is that of Steele and Vigna's splitmix. */
+static uint64_t mixed(uint64_t hash, uint64_t bits) {
+  hash = (hash ^ bits) * UINT64_C(0xbf58476d1ce4e5b9);
+  return hash ^ hash >> 31;
+}
+
+static uint64_t bits_of(double x) {
+  uint64_t bits;
+  memcpy(&bits, &x, sizeof bits);
+  /* NaNs are one: their bits are no result. */
+  return x == x ? bits : UINT64_C(0x7ff8000000000000);
+}
+
+static uint64_t sum_of_rows(const work *w, uint64_t first, size_t n) {
+  const size_t columns = w->n_inputs + w->n_outputs;
+  uint64_t sum = 0;
+  for (size_t i = 0; i < n; i++) {
+    uint64_t hash = mixed(first + i + 1, (uint64_t)w->status[i]);
+    for (size_t k = 0; k < columns; k++) hash = mixed(hash, bits_of(w->column[k][i]));
+    sum += mixed(hash, bits_of(w->error[i]));
+  }
+  return sum;
+}
+
 /* ---- sums ------------------------------------------------------------------------------------ */
 
 static rot_status add_summary(work *w, uint64_t first, size_t n, const double *const output[],
@@ -137,8 +163,20 @@ static rot_status poll_part(void *ctx, double fraction) {
   return rot_poll(p->hooks, p->done + p->part * fraction);
 }
 
-static rot_status run_block(work *w, uint64_t first, size_t n, progress *p, rot_chunk *chunk,
-                            rot_refusal *no) {
+/* Rows `at` and on of those that the caller has computed => the block. */
+static void copy_block(const work *w, const rot_block *given, size_t at, size_t n) {
+  for (size_t k = 0; k < w->n_inputs; k++) {
+    memcpy(w->column[k], given->input[k] + at, n * sizeof **w->column);
+  }
+  for (size_t k = 0; k < w->n_outputs; k++) {
+    memcpy(w->column[w->n_inputs + k], given->output[k] + at, n * sizeof **w->column);
+  }
+  memcpy(w->status, given->status + at, n * sizeof *w->status);
+  memcpy(w->error, given->error + at, n * sizeof *w->error);
+}
+
+static rot_status run_block(work *w, uint64_t first, size_t at, size_t n, progress *p,
+                            rot_chunk *chunk, rot_refusal *no) {
   const rot_chunk_plan *plan = w->plan;
   const rot_block block = {w->column, w->column + w->n_inputs, w->status, w->error};
   const double *const *all = (const double *const *)w->column;
@@ -146,7 +184,12 @@ static rot_status run_block(work *w, uint64_t first, size_t n, progress *p, rot_
   const rot_hooks hooks = {poll_part, p};
   rot_info info;
   uint64_t kept = 0;
-  rot_status status = rot_block_run(plan->sweep, first, n, &block, &hooks, &info, no);
+  rot_status status = ROT_OK;
+  if (plan->given)
+    copy_block(w, plan->given, at, n);
+  else
+    status = rot_block_run(plan->sweep, first, n, &block, &hooks, &info, no);
+  if (status == ROT_OK) chunk->checksum += sum_of_rows(w, first, n);
   if (status == ROT_OK && plan->keep == ROT_KEEP_SOME) {
     status = rot_formula_rows(plan->condition, n, all, w->holds);
   }
@@ -190,7 +233,7 @@ rot_status rot_chunk_run(const rot_chunk_plan *plan, uint64_t first, uint64_t n,
   for (uint64_t done = 0; done < n && status == ROT_OK; done += plan->block_rows) {
     const size_t rows = n - done < plan->block_rows ? (size_t)(n - done) : plan->block_rows;
     progress p = {hooks, (double)done / (double)n, (double)rows / (double)n};
-    status = run_block(&w, first + done, rows, &p, chunk, no);
+    status = run_block(&w, first + done, (size_t)done, rows, &p, chunk, no);
   }
   if (status == ROT_OK && plan->summed) status = finish(&w, chunk);
   close_work(&w);

@@ -12,7 +12,8 @@ typedef enum rot_keep { ROT_KEEP_NONE, ROT_KEEP_ALL, ROT_KEEP_SOME } rot_keep;
 
 typedef struct rot_chunk_plan {
   const rot_sweep *sweep;
-  size_t block_rows; /* power of two, 2^8 to 2^16 */
+  size_t block_rows;      /* power of two, 2^8 to 2^16 */
+  const rot_block *given; /* the rows, where the caller has computed them; NULL: rot_block_run() */
   rot_keep keep;
   const rot_formula
       *condition;      /* of ROT_KEEP_SOME: of inputs, derived ones and outputs; not 0: kept */
@@ -36,6 +37,9 @@ typedef struct rot_chunk {
   rot_summary *summary; /* of all rows; NULL: no sums */
   rot_means *means;
   rot_indices *indices; /* of a Saltelli design, else NULL */
+  /* The sum, modulo 2^64, of a hash of each row's number, inputs, outputs, error figure and status:
+   * that of a whole sweep is the sum of its chunks', whatever these are. */
+  uint64_t checksum;
 } rot_chunk;
 
 /* Rows first .. first + n - 1; `first` a multiple of n's subtree (summary/stretch.h), if sums are

@@ -1,0 +1,371 @@
+# The folder of a sweep: run.json says what it is, rows/ and sums/ have a part for each chunk, work/
+# has files that are being written. A chunk is done when its part is in sums/: no list is kept.
+
+sweep_format <- 1
+
+# ---- run.json -----------------------------------------------------------------------------------
+
+# What determines the result, as a list that JSON text and back leaves as it is.
+plan_record <- function(plan) {
+  list(
+    sweep_format = sweep_format, scene = if (is_plain(plan)) plan$node,
+    code = if (!is_plain(plan)) "functions.rds", time_s = as.list(plan$time_s),
+    design = design_record(plan$design),
+    derived = lapply(plan$derived, `[[`, "text"), outputs = as.list(plan$outputs),
+    model = plan$model, asked = plan$asked, accuracy = plan$accuracy, max_steps = plan$max_steps,
+    way = plan$way, keep = plan$keep, condition = plan$condition$text,
+    audit_rows = plan$audit_rows, shift = as.list(plan$shift), block_rows = plan$block_rows,
+    group_rows = plan$group_rows, rows = plan$n
+  )
+}
+
+# Without R functions.
+is_plain <- function(plan) is.null(plan$build) && !has_functions(plan$node)
+
+design_record <- function(design) {
+  inputs <- lapply(design$inputs, function(law) lapply(unclass(law), as_list_of_many))
+  design <- unclass(design)
+  design$inputs <- inputs
+  if (!is.null(design$correlation)) {
+    design$correlation <- list(
+      inputs = as.list(design$correlation$inputs), matrix = as.list(c(design$correlation$matrix))
+    )
+  }
+  design
+}
+
+# A vector of one number and the number itself are the same text.
+as_list_of_many <- function(x) if (length(x) == 1L) x else as.list(x)
+
+design_of_record <- function(x) {
+  x$inputs <- lapply(x$inputs, function(law) {
+    structure(lapply(law, function(part) if (is.list(part)) unlist(part) else part),
+              class = "rot_vary")
+  })
+  if (!is.null(x$correlation)) {
+    names <- as.character(unlist(x$correlation$inputs))
+    x$correlation <- list(
+      inputs = names, matrix = matrix(as.double(unlist(x$correlation$matrix)), length(names))
+    )
+  }
+  structure(x, class = "rot_design")
+}
+
+# The hash of what determines the result.
+plan_hash <- function(plan) {
+  code <- if (!is_plain(plan)) list(code = code_text(plan))
+  hash_text(json_text(c(plan_record(plan), code)))
+}
+
+# R functions as text, for the hash: their bodies and arguments.
+code_text <- function(plan) {
+  functions <- function(x) {
+    if (is.function(x)) return(paste(deparse(args(x)), deparse(body(x)), collapse = "\n"))
+    if (is.list(x)) lapply(unname(unclass(x)), functions) else NULL
+  }
+  paste(unlist(functions(list(plan$build, plan$given, plan$node))), collapse = "\n")
+}
+
+make_sweep_folder <- function(plan, folder, call) {
+  need_package("nanoparquet", "A sweep in a folder", call)
+  need_package("yyjsonr", "A sweep in a folder", call)
+  if (file.exists(file.path(folder, "run.json"))) {
+    kept <- read_plan(folder, call)
+    compare_plans(plan, kept, folder, call)
+    return(kept)
+  }
+  if (dir.exists(folder) && length(dir(folder, all.files = TRUE, no.. = TRUE))) {
+    abort_rotdyn(c(
+      "The folder {.file {folder}} is not empty, and has no sweep.", i = "Name another one."
+    ), "file", call)
+  }
+  check_disk(plan, folder, call)
+  for (part in c("", "rows", "sums", "work")) {
+    path <- file.path(folder, part)
+    if (!dir.exists(path) && !suppressWarnings(dir.create(path, recursive = TRUE))) {
+      abort_rotdyn("The folder {.file {path}} cannot be made.", "file", call)
+    }
+  }
+  plan$canary <- canary_of(plan, call)
+  plan$hash <- plan_hash(plan)
+  if (!is_plain(plan)) {
+    code <- serialize(plan[c("node", "build", "given")], NULL, version = 3L)
+    write_file(code, file.path(folder, "functions.rds"), call)
+  }
+  record <- c(plan_record(plan), list(
+    hash = plan$hash, canary = plan$canary, chunk_rows = plan$chunk_rows, row_s = plan$row_s,
+    version = as.character(utils::packageVersion("rotdyn")), made = format(Sys.time(), tz = "UTC"),
+    columns = lapply(stats::setNames(seq_along(plan$outputs), plan$outputs), function(i) {
+      plan$output_unit[i]
+    }), statuses = as.list(row_statuses())
+  ))
+  # Last: a folder with it is whole.
+  write_file(json_text(record, 2L), file.path(folder, "run.json"), call)
+  plan
+}
+
+# The plan of a folder. `trust`: its R functions may be run.
+read_plan <- function(folder, call, trust = FALSE) {
+  check_file_name(folder, call, "folder", "folder")
+  path <- file.path(folder, "run.json")
+  if (!file.exists(path)) {
+    abort_rotdyn("The folder {.file {folder}} has no sweep: there is no {.file run.json}.", "file",
+                 call)
+  }
+  text <- file_text(path)
+  if (is.na(text)) abort_rotdyn("{.file {path}} is damaged: it has a zero byte.", "file", call)
+  x <- read_json(text, "sweep", "file", call)
+  if (!identical(x$sweep_format, sweep_format)) {
+    abort_rotdyn(c(
+      "The sweep has an unknown format.", x = "It is {describe_value(x$sweep_format)}."
+    ), "file", call)
+  }
+  plan <- tryCatch(plan_of_record(x), error = function(e) NULL)
+  if (is.null(plan)) abort_rotdyn("{.file {path}} is damaged.", "file", call)
+  if (!is.null(x$code)) {
+    plan$untrusted <- !trust
+    if (trust) plan[c("node", "build", "given")] <- readRDS(file.path(folder, x$code))
+  }
+  plan
+}
+
+plan_of_record <- function(x) {
+  texts <- function(x) as.character(unlist(x))
+  numbers <- function(x) as.double(unlist(x))
+  plan <- list(
+    design = design_of_record(x$design), n = x$rows, time_s = numbers(x$time_s),
+    accuracy = x$accuracy, audit_rows = x$audit_rows, max_steps = x$max_steps, way = x$way,
+    model = x$model, asked = isTRUE(x$asked), keep = x$keep, outputs = texts(x$outputs),
+    output_unit = texts(x$columns), shift = numbers(x$shift), block_rows = x$block_rows,
+    group_rows = x$group_rows, chunk_rows = x$chunk_rows, row_s = x$row_s, hash = x$hash,
+    canary = x$canary, version = x$version, made = x$made
+  )
+  call <- rlang::current_env()
+  check_design(plan$design, "design", call)
+  if (!is.null(x$scene)) {
+    scene <- x$scene
+    at <- setdiff(names(scene), "scene_format")[1]
+    plan$node <- node_of_json(scene, call)
+    plan$known <- inputs_that_vary(plan$node)
+    plan$constraint <- constraint_of_maker(at)
+  }
+  plan <- plan_derived(plan, if (length(x$derived)) x$derived, call)
+  plan <- if (is.null(plan$node)) {
+    plan$inputs <- character()
+    plan$bound <- double()
+    plan
+  } else {
+    plan_bound(plan, call)
+  }
+  if (!is.null(x$condition)) {
+    plan$condition <- derived_input(x$condition, c(all_inputs(plan), plan$outputs), "keep", call)
+  }
+  structure(plan, class = "rot_sweep_plan")
+}
+
+# The scene that the text makes, as a node: numbers and arrays as write_scene() has them.
+node_of_json <- function(x, call) {
+  x$scene_format <- NULL
+  scene_node(read_node(x, text_readers(), "the scene", call), call)
+}
+
+constraint_of_maker <- function(maker) {
+  found <- Filter(function(one) {
+    maker %in% c(names(one$texts), unlist(lapply(one$makers, function(m) names(m$texts))))
+  }, all_constraints())
+  found[[1]]$id
+}
+
+# The first field in which a plan differs from that of a folder.
+compare_plans <- function(plan, kept, folder, call) {
+  if (identical(plan_hash(plan), kept$hash)) return()
+  a <- plan_record(plan)
+  b <- plan_record(kept)
+  names <- union(names(a), names(b))
+  differs <- names[!vapply(names, function(name) {
+    identical(json_text(list(a[[name]])), json_text(list(b[[name]])))
+  }, NA)]
+  abort_rotdyn(c(
+    "The folder {.file {folder}} has another sweep.",
+    x = if (length(differs)) "It differs in {.field {differs}}." else
+      "Its R functions are others.",
+    i = "Name another folder, or go on with that one: {.code sweep_resume(\"{folder}\")}."
+  ), "folder", call)
+}
+
+# ---- room ---------------------------------------------------------------------------------------
+
+check_disk <- function(plan, folder, call) {
+  if (plan$keep != "rows") return()
+  wanted <- plan$n * row_bytes(plan)
+  free <- free_bytes(folder)
+  if (is.na(free) || wanted <= free / 2) return()
+  abort_rotdyn(c(
+    "The rows take more than half of the free space of {.file {folder}}.",
+    x = "{prefixed(wanted, "B")} of {prefixed(free, "B")}.",
+    i = "{.code keep = \"summary\"} takes some MB; {.code keep = ~ condition} the rows for which it
+         holds."
+  ), "file", call)
+}
+
+# Of the file system of a folder, or of the one that it will be in; NA where it is not known.
+free_bytes <- function(folder) {
+  folder <- normalizePath(folder, mustWork = FALSE)
+  while (!dir.exists(folder) && dirname(folder) != folder) folder <- dirname(folder)
+  if (!nzchar(Sys.which("df"))) return(NA_real_)
+  said <- tryCatch(
+    suppressWarnings(system2("df", c("-Pk", shQuote(folder)), stdout = TRUE, stderr = FALSE)),
+    error = function(e) character()
+  )
+  fields <- strsplit(trimws(utils::tail(said, 1L)), "[[:space:]]+")[[1]]
+  suppressWarnings(as.double(fields[4])) * 1024
+}
+
+# ---- parts --------------------------------------------------------------------------------------
+
+part_name <- function(chunk) sprintf("part-%08.0f.parquet", chunk)
+
+chunk_of_part <- function(names) {
+  as.double(sub("^part-([0-9]{8,16})[.]parquet$", "\\1",
+                grep("^part-[0-9]{8,16}[.]parquet$", names, value = TRUE)))
+}
+
+chunk_range <- function(plan, chunk) {
+  first <- (chunk - 1) * plan$chunk_rows + 1
+  c(first, min(plan$chunk_rows, plan$n - first + 1))
+}
+
+# Writes a table under a temporary name, reads its footer back, and gives it its name. Nothing is
+# left of what fails.
+write_part <- function(x, folder, kind, chunk, metadata, call) {
+  work <- file.path(folder, "work", paste0(
+    kind, "-", part_name(chunk), "-", Sys.info()[["nodename"]], "-", Sys.getpid(), "-",
+    basename(tempfile(""))
+  ))
+  on.exit(unlink(work))
+  fault <- tryCatch(
+    {
+      nanoparquet::write_parquet(
+        x, work, compression = "uncompressed", metadata = metadata,
+        options = nanoparquet::parquet_options(
+          num_rows_per_row_group = 2^17, write_arrow_metadata = FALSE
+        )
+      )
+      read <- nanoparquet::read_parquet_info(work)
+      if (read$num_rows != nrow(x)) "It was not written whole." else ""
+    },
+    error = function(e) conditionMessage(e)
+  )
+  if (nzchar(fault)) abort_unwritten(file.path(folder, kind), fault, call)
+  size <- file.size(work)
+  to <- file.path(folder, kind, part_name(chunk))
+  if (!suppressWarnings(file.rename(work, to))) {
+    abort_unwritten(to, "It cannot take its name.", call)
+  }
+  size
+}
+
+abort_unwritten <- function(path, fault, call) {
+  abort_rotdyn(c(
+    "{.file {path}} cannot be written.", x = braces_doubled(fault),
+    i = "What is committed stays: {.fn sweep_resume} goes on when there is room."
+  ), "file", call)
+}
+
+columns_hash <- function(x) .Call(ffi_hash, lapply(unname(as.list(x)), identity))
+
+# Computes a chunk and commits it. A receipt: chunk, rows, kept, bytes, seconds, failed.
+commit_chunk <- function(plan, folder, chunk, threads, progress, call) {
+  start <- proc.time()[[3L]]
+  range <- chunk_range(plan, chunk)
+  found <- chunk_of_sweep(plan, range[1], range[2], threads, progress, call)
+  kept <- length(found$row)
+  bytes <- 0
+  rows_hash <- ""
+  if (plan$keep != "summary") {
+    rows <- rows_table(plan, found)
+    rows$status <- found$status
+    rows_hash <- columns_hash(rows)
+    bytes <- write_part(rows, folder, "rows", chunk, c(
+      rotdyn_run = plan$hash, rotdyn_chunk = format(chunk, scientific = FALSE),
+      rotdyn_units = json_text(as.list(stats::setNames(plan$output_unit, plan$outputs)))
+    ), call)
+  }
+  sums <- as.data.frame(found$sums)
+  write_part(sums, folder, "sums", chunk, c(
+    rotdyn_run = plan$hash, rotdyn_chunk = format(chunk, scientific = FALSE),
+    rotdyn_rows_kept = format(kept, scientific = FALSE),
+    rotdyn_rows_bytes = format(bytes, scientific = FALSE), rotdyn_rows_hash = rows_hash,
+    rotdyn_sums_hash = columns_hash(sums), rotdyn_checksum = checksum_text(found$checksum)
+  ), call)
+  list(
+    chunk = chunk, rows = range[2], kept = kept, bytes = bytes,
+    seconds = proc.time()[[3L]] - start
+  )
+}
+
+# The sums of a committed chunk: list(sums, checksum, kept, rows_hash); NULL where its parts are
+# missing, cut or of another run.
+read_sums_part <- function(plan, folder, chunk) {
+  path <- file.path(folder, "sums", part_name(chunk))
+  tryCatch(
+    {
+      sums <- as.list(nanoparquet::read_parquet(path))
+      pairs <- nanoparquet::read_parquet_metadata(path)$file_meta_data$key_value_metadata[[1]]
+      about <- stats::setNames(pairs$value, pairs$key)
+      rows <- file.path(folder, "rows", part_name(chunk))
+      whole <- about[["rotdyn_run"]] == plan$hash &&
+        about[["rotdyn_sums_hash"]] == columns_hash(sums) &&
+        (plan$keep == "summary" || identical(file.size(rows), as.double(about[["rotdyn_rows_bytes"]])))
+      if (whole) {
+        list(
+          sums = sums, checksum = checksum_of_text(about[["rotdyn_checksum"]]),
+          kept = as.double(about[["rotdyn_rows_kept"]]), rows_hash = about[["rotdyn_rows_hash"]]
+        )
+      }
+    },
+    error = function(e) NULL
+  )
+}
+
+# Chunks that are committed, by the names of their parts alone.
+committed_chunks <- function(plan, folder) {
+  chunks <- chunk_of_part(dir(file.path(folder, "sums")))
+  sort(chunks[chunks >= 1 & chunks <= n_chunks(plan)])
+}
+
+# Chunks to compute: those without parts, or with parts that cannot be used, which go to work/.
+chunks_to_do <- function(plan, folder) {
+  done <- committed_chunks(plan, folder)
+  whole <- vapply(done, function(chunk) !is.null(read_sums_part(plan, folder, chunk)), NA)
+  for (chunk in done[!whole]) {
+    for (kind in c("sums", "rows")) {
+      path <- file.path(folder, kind, part_name(chunk))
+      if (file.exists(path)) unlink(path)
+    }
+  }
+  setdiff(seq_len(n_chunks(plan)), done[whole])
+}
+
+# ---- the canary ---------------------------------------------------------------------------------
+
+# The checksum of 256 rows spread over the design: another version, compiler or C library that
+# changes a bit of one of them is found before anything is written.
+canary_of <- function(plan, call) {
+  plan$keep <- "summary"
+  first <- unique(floor(seq(1, max(1, plan$n - 15), length.out = 16)))
+  sums <- lapply(first, function(i) {
+    chunk_of_sweep(plan, i, min(16, plan$n - i + 1), call = call, summed = FALSE)$checksum
+  })
+  checksum_text(add_checksums(sums))
+}
+
+check_canary <- function(plan, folder, call) {
+  if (identical(canary_of(plan, call), plan$canary)) return()
+  abort_rotdyn(c(
+    "This machine computes other bits than the one that made {.file {folder}}.",
+    x = "Here it is version {utils::packageVersion('rotdyn')} on {Sys.info()[['nodename']]}; the
+         sweep was made by version {plan$version}.",
+    i = "A sweep goes on with the same version, compiler and C library."
+  ), "canary", call)
+}

@@ -1,0 +1,281 @@
+# Sweeps carried out: in memory, in a folder, chunk by chunk, by this process or by several.
+
+#' Run a sweep
+#'
+#' `sweep_run()` carries out a plan: in memory, or in a folder that survives whatever ends the
+#' process. `sweep_resume()` goes on after that. `sweep_status()` says how far a folder is.
+#' `sweep_chunk()` computes one chunk and commits it, `sweep_work()` one part of all chunks: what
+#' array jobs and other schedulers call. `sweep_todo()` lists the chunks to compute.
+#'
+#' A folder has `run.json` (what the sweep is), `rows/` and `sums/` with a part for each chunk, and
+#' `work/` with files that are being written. A part gets its name when it is whole: a chunk is done
+#' if its part is in `sums/`. Any number of processes may compute chunks of one folder at a time; a
+#' chunk computed twice has the same bits. Rows are Parquet files, read by DuckDB, arrow and
+#' \pkg{nanoparquet}.
+#'
+#' Chunks are given to the daemons of \pkg{mirai} where you have set some (`mirai::daemons(2)`, on
+#' this machine or on others that see the folder), and only then. Rows do not depend on the number
+#' of threads, daemons or jobs, to the last bit. A daemon of another version or C library is found
+#' by its bits before it writes.
+#'
+#' @param plan A plan of [sweep_plan()].
+#' @param folder Name of a folder; NULL: in memory. It is made, or has this very sweep.
+#' @param ... Not used; names after it must be given in full.
+#' @param threads Most threads of each process.
+#' @param compute The profile of \pkg{mirai}'s daemons; NULL: the default one.
+#' @param chunk Number of a chunk, from 1.
+#' @param part,parts This is job `part` of `parts`: it computes every `parts`-th chunk.
+#' @param trust TRUE: run the R functions that the folder has; they can do anything.
+#' @return `sweep_run()`, `sweep_resume()`: the sweep, as [sweep_read()] returns it.
+#'   `sweep_status()`: a tibble of one row with the columns
+#'   `r describe_columns(sweep_status_columns, sweep_status_meanings)`
+#'   `sweep_chunk()` and `sweep_work()`, invisibly: a tibble with a row for each chunk computed and
+#'   the columns
+#'   `r describe_columns(sweep_receipt_columns, sweep_receipt_meanings)`
+#'   `sweep_todo()`: numbers of chunks.
+#' @section Errors: `rotdyn_error_memory` for a plan that does not fit into memory;
+#'   `rotdyn_error_folder` for a folder with another sweep, with the first difference;
+#'   `rotdyn_error_canary` for a machine whose rows have other bits; `rotdyn_error_chunks` for chunks
+#'   that failed, after all others are done; `rotdyn_error_file` where nothing can be written: what is
+#'   committed stays. `rotdyn_error_package` without \pkg{nanoparquet} or \pkg{yyjsonr}, which a folder
+#'   needs.
+#' @source Apache Parquet format, version 2.9 (2021).
+#' @seealso [sweep_plan()], [sweep_read()], [summary.rot_sweep()].
+#' @concept parallel
+#' @concept cluster
+#' @concept restart
+#' @examples
+#' plan <- sweep_plan(
+#'   scene_axle(0.0625, resistance = resistance(0.002), omega0_rad_per_s = 20), time_s = 60,
+#'   design_grid("body" = c(0.05, 0.06, 0.07), "omega0_rad_per_s" = c(10, 20))
+#' )
+#' sweep_run(plan)
+#'
+#' @examplesIf requireNamespace("nanoparquet", quietly = TRUE) && requireNamespace("yyjsonr", quietly = TRUE)
+#' folder <- tempfile("wheels-")
+#' sweep_run(plan, folder)
+#' sweep_status(folder)
+#' dir(folder, recursive = TRUE)
+#' unlink(folder, recursive = TRUE)
+#' @export
+sweep_run <- function(plan, folder = NULL, ..., threads = 1, compute = NULL) {
+  call <- check_no_dots(...)
+  check_supplied("plan", call)
+  check_plan(plan, call)
+  threads <- check_threads(threads, call)
+  if (is.null(folder)) return(run_in_memory(plan, threads, call))
+  check_file_name(folder, call, "folder", "folder")
+  kept <- make_sweep_folder(plan, folder, call)
+  # The plan of this session has its functions.
+  kept[c("node", "known", "build", "given", "untrusted")] <- list(
+    plan$node, plan$known, plan$build, plan$given, NULL
+  )
+  run_in_folder(kept, folder, threads, compute, call)
+}
+
+#' @rdname sweep_run
+#' @export
+sweep_resume <- function(folder, ..., threads = 1, compute = NULL, trust = FALSE) {
+  call <- check_no_dots(...)
+  check_supplied("folder", call)
+  threads <- check_threads(threads, call)
+  plan <- open_sweep(folder, trust, call)
+  check_canary(plan, folder, call)
+  run_in_folder(plan, folder, threads, compute, call)
+}
+
+#' @rdname sweep_run
+#' @export
+sweep_chunk <- function(folder, chunk, ..., threads = 1, trust = FALSE) {
+  call <- check_no_dots(...)
+  check_supplied(c("folder", "chunk"), call)
+  plan <- open_sweep(folder, trust, call)
+  chunk <- check_whole(chunk, "chunk", call, 1, n_chunks(plan))
+  check_canary(plan, folder, call)
+  receipt <- commit_chunk(plan, folder, chunk, check_threads(threads, call), NULL, call)
+  invisible(receipts_table(list(receipt)))
+}
+
+#' @rdname sweep_run
+#' @export
+sweep_work <- function(folder, part, parts, ..., threads = 1, trust = FALSE) {
+  call <- check_no_dots(...)
+  check_supplied(c("folder", "part", "parts"), call)
+  plan <- open_sweep(folder, trust, call)
+  parts <- check_whole(parts, "parts", call, 1, 1e6)
+  part <- check_whole(part, "part", call, 1, parts)
+  check_canary(plan, folder, call)
+  chunks <- chunks_to_do(plan, folder)
+  mine <- chunks[(chunks - 1) %% parts == part - 1]
+  threads <- check_threads(threads, call)
+  receipts <- lapply(mine, function(chunk) commit_chunk(plan, folder, chunk, threads, NULL, call))
+  invisible(receipts_table(receipts))
+}
+
+#' @rdname sweep_run
+#' @export
+sweep_todo <- function(folder, ...) {
+  call <- check_no_dots(...)
+  check_supplied("folder", call)
+  chunks_to_do(read_plan(folder, call), folder)
+}
+
+#' @rdname sweep_run
+#' @export
+sweep_status <- function(folder, ...) {
+  call <- check_no_dots(...)
+  check_supplied("folder", call)
+  plan <- read_plan(folder, call)
+  done <- committed_chunks(plan, folder)
+  rows <- sum(vapply(done, function(chunk) chunk_range(plan, chunk)[2], double(1)))
+  left <- (plan$n - rows) * plan$row_s
+  owner <- read_owner(folder)
+  as_table(
+    rows_done = rows, rows = plan$n, chunks_done = length(done), chunks = n_chunks(plan),
+    time_left_s = left, writing = length(dir(file.path(folder, "work"))),
+    owner = owner$who %||% NA_character_
+  )
+}
+
+# ---- checks -------------------------------------------------------------------------------------
+
+check_plan <- function(plan, call) {
+  check_class(plan, "rot_sweep_plan", "plan", "Make one with {.fn sweep_plan}.", call)
+}
+
+check_threads <- function(threads, call) {
+  floor(check_number(threads, "threads", "1", call, lower = 1))
+}
+
+# The plan of a folder, whose functions may be run.
+open_sweep <- function(folder, trust, call) {
+  trust <- check_flag(trust, "trust", call)
+  plan <- read_plan(folder, call, trust)
+  if (isTRUE(plan$untrusted)) {
+    abort_rotdyn(c(
+      "The sweep in {.file {folder}} has R functions, which can do anything.",
+      i = "If you trust who made it: {.code trust = TRUE}."
+    ), "folder", call)
+  }
+  plan
+}
+
+receipts_table <- function(receipts) {
+  column <- function(name) vapply(receipts, `[[`, double(1), name)
+  new_table(stats::setNames(lapply(sweep_receipt_columns, column), sweep_receipt_columns),
+            nrow = length(receipts))
+}
+
+# ---- in memory ----------------------------------------------------------------------------------
+
+run_in_memory <- function(plan, threads, call) {
+  bytes <- if (plan$keep == "rows") 2.5 * plan$n * row_bytes(plan) else 1e8
+  free <- free_memory()
+  if (!is.na(free) && bytes > free) {
+    abort_rotdyn(c(
+      "The rows do not fit into memory: {prefixed(bytes, "B")} of {prefixed(free, "B")}.",
+      i = "Give a folder: {.code sweep_run(plan, \"name\")}.",
+      i = "Or keep less: {.code keep = \"summary\"}, {.code keep = ~ condition}."
+    ), "memory", call)
+  }
+  progress <- progress_bar("sweep")
+  found <- chunk_of_sweep(plan, 1, plan$n, threads, progress, call)
+  new_sweep(plan, rows_table(plan, found), list(
+    sums = found$sums, checksum = found$checksum, kept = length(found$row), rows = plan$n
+  ), NULL)
+}
+
+# Bytes; NA where the system does not say.
+free_memory <- function() {
+  if (!file.exists("/proc/meminfo")) return(NA_real_)
+  line <- grep("^MemAvailable:", readLines("/proc/meminfo"), value = TRUE)
+  as.double(sub("^MemAvailable: *([0-9]+) kB$", "\\1", line)) * 1024
+}
+
+# The sweep as a table of its kept rows. `whole`: sums, checksum, numbers of rows.
+new_sweep <- function(plan, rows, whole, folder) {
+  new_table(as.list(rows), nrow = nrow(rows), class = "rot_sweep",
+            sweep = list(plan = plan, whole = whole, folder = folder))
+}
+
+# ---- in a folder --------------------------------------------------------------------------------
+
+run_in_folder <- function(plan, folder, threads, compute, call) {
+  todo <- chunks_to_do(plan, folder)
+  own_folder(folder, call)
+  on.exit(unlink(file.path(folder, "owner.json")))
+  clear_work(folder)
+  if (length(todo)) {
+    if (has_daemons(compute)) {
+      run_by_daemons(plan, folder, todo, threads, compute, call)
+    } else {
+      run_here(plan, folder, todo, threads, call)
+    }
+  }
+  clear_work(folder)
+  read_sweep(plan, folder, NULL, call)
+}
+
+run_here <- function(plan, folder, todo, threads, call) {
+  bar <- progress_bar("sweep")
+  failed <- list()
+  for (i in seq_along(todo)) {
+    progress <- function(fraction) bar((i - 1 + fraction) / length(todo))
+    receipt <- tryCatch(
+      commit_chunk(plan, folder, todo[i], threads, progress, call),
+      error = function(e) {
+        # No room, no folder: the next chunk fails, too.
+        if (inherits(e, "rotdyn_error_file") || is_time_limit(e)) rlang::cnd_signal(e)
+        e
+      }
+    )
+    if (inherits(receipt, "error")) failed[[length(failed) + 1L]] <- list(todo[i], receipt)
+  }
+  abort_failed(failed, call)
+}
+
+abort_failed <- function(failed, call) {
+  if (!length(failed)) return()
+  chunks <- vapply(failed, function(f) as.double(f[[1]]), double(1))
+  abort_rotdyn(c(
+    "{length(chunks)} chunk{?s} of the sweep failed: {some_names(as.character(chunks))}.",
+    i = "All others are done. {.fn sweep_resume} tries {?it/them} again."
+  ), "chunks", call, parent = if (inherits(failed[[1]][[2]], "error")) failed[[1]][[2]])
+}
+
+# Who coordinates, as advice: a second one is warned, and does no harm.
+own_folder <- function(folder, call) {
+  owner <- read_owner(folder)
+  me <- paste0(Sys.info()[["nodename"]], " process ", Sys.getpid())
+  if (!is.null(owner) && !identical(owner$who, me)) {
+    warn_rotdyn(c(
+      "Another process may be at work on {.file {folder}}: {owner$who}.",
+      i = "Both may go on: the rows are the same, some are computed twice."
+    ), "folder", call)
+  }
+  write_file(json_text(list(who = me)), file.path(folder, "owner.json"), call)
+}
+
+read_owner <- function(folder) {
+  path <- file.path(folder, "owner.json")
+  if (!file.exists(path)) return(NULL)
+  text <- tryCatch(file_text(path), error = function(e) NA)
+  who <- if (is.na(text)) "" else sub("^.*\"who\": *\"([^\"]*)\".*$", "\\1", text)
+  list(who = who)
+}
+
+# Files that no process is writing any more: those of this host whose process has ended.
+clear_work <- function(folder) {
+  files <- dir(file.path(folder, "work"), full.names = TRUE)
+  name <- Sys.info()[["nodename"]]
+  pattern <- paste0("^.*[.]parquet-(.*)-([0-9]+)-[^-]*$")
+  here <- sub(pattern, "\\1", basename(files)) == name
+  process <- suppressWarnings(as.integer(sub(pattern, "\\2", basename(files))))
+  gone <- here & !is.na(process) & (process == Sys.getpid() | !process_lives(process))
+  unlink(files[gone])
+}
+
+process_lives <- function(pid) {
+  if (!dir.exists("/proc/self")) return(rep(TRUE, length(pid)))
+  dir.exists(file.path("/proc", pid))
+}
