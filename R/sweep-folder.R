@@ -202,7 +202,7 @@ check_disk <- function(plan, folder, call) {
   if (is.na(free) || wanted <= free / 2) return()
   abort_rotdyn(c(
     "The rows take more than half of the free space of {.file {folder}}.",
-    x = "{prefixed(wanted, "B")} of {prefixed(free, "B")}.",
+    x = "{prefixed(wanted, 'B')} of {prefixed(free, 'B')}.",
     i = "{.code keep = \"summary\"} takes some MB; {.code keep = ~ condition} the rows for which it
          holds."
   ), "file", call)
@@ -316,7 +316,8 @@ read_sums_part <- function(plan, folder, chunk) {
       rows <- file.path(folder, "rows", part_name(chunk))
       whole <- about[["rotdyn_run"]] == plan$hash &&
         about[["rotdyn_sums_hash"]] == columns_hash(sums) &&
-        (plan$keep == "summary" || identical(file.size(rows), as.double(about[["rotdyn_rows_bytes"]])))
+        (plan$keep == "summary" ||
+          identical(file.size(rows), as.double(about[["rotdyn_rows_bytes"]])))
       if (whole) {
         list(
           sums = sums, checksum = checksum_of_text(about[["rotdyn_checksum"]]),

@@ -35,10 +35,10 @@
 #'   `sweep_todo()`: numbers of chunks.
 #' @section Errors: `rotdyn_error_memory` for a plan that does not fit into memory;
 #'   `rotdyn_error_folder` for a folder with another sweep, with the first difference;
-#'   `rotdyn_error_canary` for a machine whose rows have other bits; `rotdyn_error_chunks` for chunks
-#'   that failed, after all others are done; `rotdyn_error_file` where nothing can be written: what is
-#'   committed stays. `rotdyn_error_package` without \pkg{nanoparquet} or \pkg{yyjsonr}, which a folder
-#'   needs.
+#'   `rotdyn_error_canary` for a machine whose rows have other bits; `rotdyn_error_chunks` for
+#'   chunks that failed, after all others are done; `rotdyn_error_file` where nothing can be written:
+#'   what is committed stays. `rotdyn_error_package` without \pkg{nanoparquet} or \pkg{yyjsonr},
+#'   which a folder needs.
 #' @source Apache Parquet format, version 2.9 (2021).
 #' @seealso [sweep_plan()], [sweep_read()], [summary.rot_sweep()].
 #' @concept parallel
@@ -51,7 +51,7 @@
 #' )
 #' sweep_run(plan)
 #'
-#' @examplesIf requireNamespace("nanoparquet", quietly = TRUE) && requireNamespace("yyjsonr", quietly = TRUE)
+#' @examplesIf all(c("nanoparquet", "yyjsonr") %in% rownames(utils::installed.packages()))
 #' folder <- tempfile("wheels-")
 #' sweep_run(plan, folder)
 #' sweep_status(folder)
@@ -173,7 +173,7 @@ run_in_memory <- function(plan, threads, call) {
   free <- free_memory()
   if (!is.na(free) && bytes > free) {
     abort_rotdyn(c(
-      "The rows do not fit into memory: {prefixed(bytes, "B")} of {prefixed(free, "B")}.",
+      "The rows do not fit into memory: {prefixed(bytes, 'B')} of {prefixed(free, 'B')}.",
       i = "Give a folder: {.code sweep_run(plan, \"name\")}.",
       i = "Or keep less: {.code keep = \"summary\"}, {.code keep = ~ condition}."
     ), "memory", call)

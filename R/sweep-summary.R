@@ -6,8 +6,8 @@
 #' Of all rows, kept or not, from the sums that each chunk leaves. `summary()`: mean, standard
 #' deviation, extremes with their rows, quantiles. `quantile()`: any quantiles, with their bounds.
 #' `sweep_indices()`: Sobol indices of a [design_saltelli()]: the share of an output's variance that
-#' each input explains alone (`first`) and with all its interactions (`total`). `sweep_audit()`: some
-#' rows computed again by another model, and audited.
+#' each input explains alone (`first`) and with all its interactions (`total`). `sweep_audit()`:
+#' some rows computed again by another model, and audited.
 #'
 #' Quantiles come from a histogram with 256 bins in each factor of two: that of rank `ceiling(p n)`
 #' lies between `low` and `high`, at most 2^-8 apart, so `value` is within 0.2 %: a bound. Rows that
@@ -22,7 +22,8 @@
 #' @param probs Probabilities, from 0 to 1.
 #' @param rows How many rows, spread over the sweep; NULL: as the plan says.
 #' @param ... Not used.
-#' @return `summary()`: a tibble of class `rot_sweep_summary`, a row for each output, with the columns
+#' @return `summary()`: a tibble of class `rot_sweep_summary`, a row for each output, with the
+#'   columns
 #'   `r describe_columns(sweep_summary_columns, sweep_summary_meanings)`
 #'   and one for each of `probs`, such as `p50`. `quantile()`: a tibble with the columns
 #'   `r describe_columns(sweep_quantile_columns, sweep_quantile_meanings)`
@@ -30,8 +31,8 @@
 #'   `r describe_columns(sweep_index_columns, sweep_index_meanings)`
 #'   `sweep_audit()`: a tibble with a row for each row looked at, and the columns
 #'   `r describe_columns(sweep_audit_columns, sweep_audit_meanings)`
-#' @section Errors: `rotdyn_error_type`, `rotdyn_error_value`; `rotdyn_error_argument` for indices of
-#'   another design.
+#' @section Errors: `rotdyn_error_type`, `rotdyn_error_value`; `rotdyn_error_argument` for indices
+#'   of another design.
 #' @source Jansen, Computer Physics Communications 117 (1999) 35; Saltelli and others, Computer
 #'   Physics Communications 181 (2010) 259; Owen, Monte Carlo theory, methods and examples (2013).
 #' @seealso [sweep_run()], [sweep_scene()].

@@ -110,8 +110,8 @@ SEXP ffi_sweep_rows(SEXP x, SEXP first, SEXP rows, SEXP progress) {
   return out;
 }
 
-/* (sweep, numbers of rows) => list(model, taken): that of the most rows, and how many; list(refused,
- * at). */
+/* (sweep, numbers of rows) => list(model, taken): that of the most rows, and how many; or
+ * list(refused, at). */
 SEXP ffi_sweep_model(SEXP x, SEXP rows) {
   static const char *const names[] = {"model", "taken", ""};
   char fault[FFI_OBJECT_FAULT];

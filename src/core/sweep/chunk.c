@@ -67,7 +67,7 @@ static rot_status make_room(rot_kept *kept, size_t n) {
   return ROT_OK;
 }
 
-/* Appends the rows of a block for which holds[i] is not 0 (NULL: all) and their number is not NaN. */
+/* Appends the rows of a block for which holds[i] is neither 0 nor NaN (NULL: all). */
 static rot_status keep_rows(const work *w, uint64_t first, size_t n, const double *holds,
                             rot_kept *kept, uint64_t *count) {
   rot_status status = make_room(kept, n);
