@@ -17,6 +17,7 @@ error_kinds <- c(
   database = "a database without the tables of records, or of another format",
   record = "no such record, or one that this version cannot compute again",
   file = "a file that cannot be read, or has another format",
+  build = "a function of the user's that fails in a row of a sweep",
   folder = "a folder with another sweep",
   canary = "a machine that computes other bits than the one that began the sweep",
   chunks = "chunks of a sweep that cannot be computed",

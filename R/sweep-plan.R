@@ -122,8 +122,8 @@ plan_of_function <- function(plan, build, given, call) {
   if (length(free)) {
     abort_rotdyn(c(
       "{.arg build} uses {.code {free}}, which {?is/are} neither in its row nor in {.arg given}.",
-      x = "Another process would not find {?it/them}.",
-      i = "Give {?it/them}: {.code given = list({free[1]} = {free[1]})}."
+      x = "Another process would not find {cli::qty(length(free))}{?it/them}.",
+      i = "Give {cli::qty(length(free))}{?it/them}: {.code given = list({free[1]} = {free[1]})}."
     ), "value", call)
   }
   environment(build) <- list2env(given, parent = the_namespace())
@@ -216,7 +216,8 @@ abort_unknown_input <- function(unknown, plan, known, call) {
     near_names(last, known)
   ))
   stem <- if (grepl("$", unknown[1], fixed = TRUE)) sub("\\$[^$]*$", "", unknown[1])
-  from <- known[startsWith(known, paste0(stem, "$"))]
+  from <- if (is.null(stem)) grep("^bod(y|ies).*[$]", known, value = TRUE) else
+    known[startsWith(known, paste0(stem, "$"))]
   derived <- last %in% derived_numbers
   absent <- !is.null(stem) && !length(from)
   abort_rotdyn(c(
@@ -317,17 +318,7 @@ plan_model <- function(plan, model, call) {
   found <- .Call(ffi_sweep_model, core_sweep(plan), rows - 1)
   if (!is.null(found$refused)) abort_refused(found, plan, call)
   if (is.null(found$model)) {
-    refused <- tryCatch({
-      scene_of_row(plan, 1, call)
-      NULL
-    }, rotdyn_error = identity)
-    if (!is.null(refused)) {
-      abort_rotdyn("The constructor refuses the first row.", "value", call, parent = refused)
-    }
-    abort_rotdyn(c(
-      "No model takes any of {length(rows)} rows looked at.",
-      i = "{.fn choose_model} says why for the scene of a row: {.code sweep_scene(plan, 1)}."
-    ), "model", call)
+    abort_no_row(plan, match("model", row_statuses()) - 1L, call)
   }
   plan$model <- found$model
   plan$taken <- found$taken / length(rows)
@@ -360,20 +351,26 @@ plan_kept <- function(plan, keep, call) {
 # Seconds for a row, measured on rows spread over the design.
 plan_cost <- function(plan, call) {
   plan$row_s <- 1e-6
+  # What is done once is not counted.
+  rows_of_sweep(plan, 1, 1, call = call)
   start <- proc.time()[[3L]]
   rows <- 0
   spent <- 0
   pieces <- spread_rows(plan, 16)
   size <- 4
   seen <- list()
+  status <- integer()
   repeat {
     for (first in pieces) {
       m <- min(size, plan$n - first + 1)
-      took <- system.time(
-        found <- rows_of_sweep(plan, first, m, call = call), gcFirst = FALSE
-      )[[1L]]
+      before <- .Call(ffi_clock_cpu)
+      found <- rows_of_sweep(plan, first, m, call = call)
+      took <- .Call(ffi_clock_cpu) - before
       # All of the first pass: what follows from it does not depend on the clock.
-      if (size == 4) seen[[length(seen) + 1L]] <- found$output
+      if (size == 4) {
+        seen[[length(seen) + 1L]] <- found$output
+        status <- c(status, found$status)
+      }
       rows <- rows + m
       spent <- spent + took
       if (size > 4 && proc.time()[[3L]] - start > 0.5) break
@@ -381,6 +378,7 @@ plan_cost <- function(plan, call) {
     if (spent > 0.02 || size > 4096 || proc.time()[[3L]] - start > 0.5) break
     size <- size * 8
   }
+  if (all(status != 0L)) abort_no_row(plan, status[1], call)
   plan$row_s <- max(spent, 1e-4) / rows
   # Near the mean, for the sums of squares.
   plan$shift <- vapply(seq_along(plan$outputs), function(k) {
@@ -389,6 +387,23 @@ plan_cost <- function(plan, call) {
     if (length(x)) signif(mean(x), 6) else 0
   }, double(1))
   plan
+}
+
+# None of the rows looked at has numbers: why the first one has none.
+abort_no_row <- function(plan, status, call) {
+  said <- tryCatch(
+    {
+      input <- lapply(input_columns(plan, 1, 1), identity)
+      names(input) <- all_inputs(plan)
+      suppressWarnings(motion_of_row(plan, scene_of_row(plan, 1, call, input), input))
+      NULL
+    },
+    rotdyn_error = identity
+  )
+  abort_rotdyn(
+    "None of the rows looked at can be computed ({row_statuses()[status + 1L]}).",
+    if (row_statuses()[status + 1L] == "model") "model" else "value", call, parent = said
+  )
 }
 
 row_bytes <- function(plan) {

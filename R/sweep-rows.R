@@ -44,7 +44,10 @@ scene_of_row <- function(plan, i, call, row = NULL) {
     names(row) <- all_inputs(plan)
   }
   if (!is.null(plan$build)) {
-    scene <- plan$build(row)
+    scene <- tryCatch(plan$build(row), error = function(e) {
+      if (inherits(e, "rotdyn_error")) rlang::cnd_signal(e)
+      abort_rotdyn("{.arg build} fails in row {i}.", "build", call, parent = e)
+    })
     if (!inherits(scene, "rot_scene")) {
       abort_rotdyn(c(
         "{.arg build} must return a scene.", x = "Of row {i} it returned {describe_value(scene)}."

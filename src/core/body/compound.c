@@ -241,6 +241,7 @@ static rot_status build_points(const rot_part *part, const rot_given given[], ro
   (void)part, (void)store;
   memset(body, 0, sizeof *body);
   if (!p->column[0] && !given[1].is) return rot_refuse(no, 1, "is missing: no point has a mass");
+  if (p->column[0] && given[1].is) return rot_refuse(no, 1, "is given, and the points have masses");
   all.mass =
       given[1].is ? (rot_column){given[1].x, 0} : (rot_column){p->column[0], p->length[0] > 1};
   for (size_t k = 0; k < 3; k++) {

@@ -111,7 +111,8 @@ static size_t times_of(rot_rows_worker *w, const void *scene, double last) {
   const double start = w->constraint->start_s(scene);
   size_t n = 0;
   const int varies = w->time_at < plan->n_inputs;
-  const double first = plan->n_times && !(varies && plan->n_times == 1) ? plan->time_s[0] : last;
+  const int one = plan->n_times == 0 || (varies && plan->n_times == 1);
+  const double first = one || plan->time_s[0] > last ? last : plan->time_s[0];
   if (first > start) w->time_s[n++] = start;
   for (size_t i = 0; i + (varies ? 1 : 0) < plan->n_times; i++) {
     if (!varies || plan->time_s[i] <= last) w->time_s[n++] = plan->time_s[i];
