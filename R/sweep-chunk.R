@@ -57,6 +57,9 @@ checksum_of_text <- function(text) {
 # A chunk's rows as a data frame: row, inputs, outputs, error, status (text).
 rows_table <- function(plan, chunk) {
   columns <- chunk$column
+  if (!length(columns)) {
+    columns <- rep(list(double()), length(all_inputs(plan)) + length(plan$outputs))
+  }
   names(columns) <- c(all_inputs(plan), plan$outputs)
   if (!"error" %in% plan$outputs) columns$error <- chunk$error
   as.data.frame(

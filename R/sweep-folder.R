@@ -345,7 +345,7 @@ chunks_to_do <- function(plan, folder) {
       if (file.exists(path)) unlink(path)
     }
   }
-  setdiff(seq_len(n_chunks(plan)), done[whole])
+  setdiff(as.double(seq_len(n_chunks(plan))), done[whole])
 }
 
 # ---- the canary ---------------------------------------------------------------------------------

@@ -52,7 +52,8 @@ read_sweep <- function(plan, folder, rows, call) {
   if (length(missing)) {
     abort_rotdyn(c(
       "{length(missing)} of {n_chunks(plan)} chunks of {.file {folder}} {?is/are} not done.",
-      i = "{.fn sweep_resume} computes {?it/them}; {.fn sweep_status} says how far it is."
+      i = "{.fn sweep_resume} computes {cli::qty(length(missing))}{?it/them}; {.fn sweep_status} says
+           how far it is."
     ), "file", call)
   }
   sums <- .Call(ffi_sweep_join, lapply(parts, `[[`, "sums"))
@@ -75,10 +76,7 @@ read_rows <- function(plan, folder, kept, rows, call) {
   if (plan$keep == "summary") limit <- 0
   wanted <- which(cumsum(c(0, kept))[seq_along(kept)] < limit & kept > 0)
   if (plan$keep == "summary" || !length(wanted)) {
-    none <- list(
-      column = rep(list(double()), length(all_inputs(plan)) + length(plan$outputs)),
-      row = double(), error = double(), status = integer()
-    )
+    none <- list(column = list(), row = double(), error = double(), status = integer())
     return(rows_table(plan, none))
   }
   if (is.null(rows) && sum(kept) > limit) {

@@ -239,7 +239,7 @@ abort_failed <- function(failed, call) {
   chunks <- vapply(failed, function(f) as.double(f[[1]]), double(1))
   abort_rotdyn(c(
     "{length(chunks)} chunk{?s} of the sweep failed: {some_names(as.character(chunks))}.",
-    i = "All others are done. {.fn sweep_resume} tries {?it/them} again."
+    i = "All others are done. {.fn sweep_resume} tries {cli::qty(length(chunks))}{?it/them} again."
   ), "chunks", call, parent = if (inherits(failed[[1]][[2]], "error")) failed[[1]][[2]])
 }
 

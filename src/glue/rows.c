@@ -122,6 +122,8 @@ SEXP ffi_sweep_outputs(SEXP node) {
   }
   rot_variants_free(variants);
   rot_object_free(scene);
-  if (status != ROT_OK) Rf_error("internal: the scene is refused");
+  if (status != ROT_OK) {
+    Rf_error("internal: %s", status == ROT_EVALUE ? no.reason : rot_status_text(status));
+  }
   return list_of(&found);
 }
