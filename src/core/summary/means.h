@@ -1,8 +1,8 @@
 /* Means of output columns with a standard error from groups of rows.
  *
  * Row r is in group floor(r/run) modulo `replicates`. For independent rows take run = 1; for a
- * design of 16 scramblings, one after another, replicates = 16 and run = rows of one; for a single
- * Sobol sequence groups of consecutive rows (summary/indices.h says why). The standard error is
+ * design of 16 scramblings, one after another, replicates = 16 and run = rows of one. Groups of a
+ * single Sobol sequence exaggerate the standard error (summary/indices.h). The standard error is
  * that of the jackknife; with as many values in each group it is the standard deviation of the
  * groups' means over the root of their number. Rows with a status other than 0 and values that are
  * not finite are left out. The bits depend on the rows alone. */

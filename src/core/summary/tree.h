@@ -1,5 +1,5 @@
-/* Joins summaries of parts of a sweep along the tree of its blocks (summary/stretch.h), in any order
- * of arrival. The nodes are of one type: rot_summary, rot_indices or rot_means.
+/* Joins summaries of parts of a sweep along the tree of its blocks (summary/stretch.h), in any
+ * order of arrival. The nodes are of one type: rot_summary, rot_indices or rot_means.
  *
  *   rot_tree *tree = rot_tree_new(&rot_summary_node);
  *   for each part: rot_tree_add(tree, summary of the part);

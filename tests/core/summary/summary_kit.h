@@ -77,6 +77,26 @@ static inline int kit_sorted(const kit_table *t) {
   return 1;
 }
 
+typedef struct kit_row {
+  int quantity, kind;
+  int64_t key;
+  double value;
+} kit_row;
+
+/* The rows that files have. */
+static inline int kit_is(const kit_table *t, size_t n, const kit_row want[]) {
+  int same = t->n == n;
+  for (size_t i = 0; same && i < n; i++) {
+    same = t->rows.quantity[i] == want[i].quantity && t->rows.kind[i] == want[i].kind &&
+           t->rows.key[i] == want[i].key && t->rows.value[i] == want[i].value;
+    if (!same) {
+      printf("row %d: %d %d %lld %.17g\n", (int)i, t->rows.quantity[i], t->rows.kind[i],
+             (long long)t->rows.key[i], t->rows.value[i]);
+    }
+  }
+  return same;
+}
+
 /* One damage of many kinds. */
 static inline void kit_damage(uint64_t *state, kit_table *t) {
   static const double odd[] = {-1.0, 0.5, NAN, INFINITY, -INFINITY, -0.0, 0.0, 1e300, 0x1p53, 1.0};

@@ -303,6 +303,32 @@ static void longest(void) {
   free(x);
 }
 
+/* The numbers that files keep: 65536 = 1 modulo 3, so two rows of base point 21845, then 21846 in
+ * group 6 of 16, then one row. */
+static void known_rows(void) {
+  const double x[] = {8.0, NAN, 1.0, 3.0, 7.0, -5.0}, shift = 1.0, *column[] = {x};
+  rot_indices *s = rot_indices_new(1, 1, &shift, 1);
+  ROT_CHECK_EQ_INT(rot_indices_add(s, 65536, 6, column, NULL), ROT_OK);
+  kit_row want[5 + 18 + 2 * 96 + 3] = {{-1, 100, 0, 65536.0}, {-1, 101, 0, 6.0}, {-1, 102, 0, 1.0},
+                                       {-1, 103, 0, 1.0},     {-1, 104, 0, 1.0}, {0, 110, 0, 1.0},
+                                       {0, 111, 0, 0.0}};
+  /* a = 0, b = 2, their squares, (3 - 7)^2, (1 - 7)^2 */
+  static const double sums[] = {0.0, 2.0, 0.0, 4.0, 16.0, 36.0};
+  kit_row *row = want + 7;
+  for (int g = 0; g < 16; g++) *row++ = (kit_row){0, 112, g, g == 6};
+  for (int k = 0; k < 96; k++) *row++ = (kit_row){0, 113, k, k % 16 == 6 ? sums[k / 16] : 0.0};
+  for (int k = 0; k < 96; k++) *row++ = (kit_row){0, 114, k, 0.0};
+  *row++ = (kit_row){0, 115, 65536, 8.0};
+  *row++ = (kit_row){0, 115, 65537, 0.0};
+  *row++ = (kit_row){0, 116, 65541, -5.0};
+  kit_table table = table_of(s);
+  ROT_CHECK(isnan(table.rows.value[table.n - 2]));
+  table.rows.value[table.n - 2] = 0.0;
+  ROT_CHECK(kit_is(&table, sizeof want / sizeof want[0], want));
+  kit_table_free(&table);
+  rot_indices_free(s);
+}
+
 static void merges(void) {
   enum { N = 3 * 65536 };
   double *x = calloc(N, sizeof *x);
@@ -368,6 +394,7 @@ int main(void) {
   ishigami_indices();
   any_chunks();
   longest();
+  known_rows();
   merges();
   damages();
   return rot_test_report("indices");

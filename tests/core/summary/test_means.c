@@ -124,6 +124,21 @@ static void by_hand(void) {
   ROT_CHECK(!rot_means_new(SIZE_MAX / 2, 16, 1));
 }
 
+/* The numbers that files keep. */
+static void known_rows(void) {
+  const double x[] = {0x1p60, 1.0, 2.0, 6.0, 4.0, 7.0}, *column[] = {x};
+  static const kit_row want[] = {{-1, 200, 0, 131072.0}, {-1, 201, 0, 6.0},   {-1, 202, 0, 1.0},
+                                 {-1, 203, 0, 2.0},      {-1, 204, 0, 4.0},   {0, 210, 0, 4.0},
+                                 {0, 210, 1, 2.0},       {0, 211, 0, 0x1p60}, {0, 211, 1, 11.0},
+                                 {0, 212, 0, 9.0},       {0, 212, 1, 0.0}};
+  rot_means *m = rot_means_new(1, 2, 4);
+  ROT_CHECK_EQ_INT(rot_means_add(m, 131072, 6, column, NULL), ROT_OK);
+  kit_table table = table_of(m);
+  ROT_CHECK(kit_is(&table, sizeof want / sizeof want[0], want));
+  kit_table_free(&table);
+  rot_means_free(m);
+}
+
 /* Independent normal values: (mean/se)^2 has the mean 15/13 of Student's t. */
 static void coverage(void) {
   double squares = 0.0;
@@ -175,6 +190,7 @@ static void damages(void) {
 
 int main(void) {
   by_hand();
+  known_rows();
   groups();
   coverage();
   damages();

@@ -534,6 +534,64 @@ static void kinds(void) {
   ROT_CHECK(rot_kind_name(9) == NULL && rot_kind_name(-1) == NULL && rot_kind_name(300) == NULL);
 }
 
+/* The numbers that files keep: 65536 and on: 3, NaN, -Inf, 0x1p60, failed, 1, Inf, 1. */
+static void known_rows(void) {
+  const double x[] = {3.0, NAN, -INFINITY, 0x1p60, 9.0, 1.0, INFINITY, 1.0}, *column[] = {x};
+  const double error[] = {0.5, 3.0, NAN, 1.0, 9.0, 3.0, 0.0, 0.0}, shift = 2.0;
+  const int status[] = {0, 0, 0, 0, 6, 0, 0, 0};
+  const rot_summary_block block = {65536, 8, column, status, error, 1.0, 2};
+  static const kit_row want[] = {{-1, 0, 0, 65536.0},
+                                 {-1, 1, 0, 8.0},
+                                 {-1, 2, 0, 1.0},
+                                 {-1, 3, 0, 2.0},
+                                 {-1, 4, 0, 7.0},
+                                 {-1, 4, 6, 1.0},
+                                 {-1, 5, 65540, 6.0},
+                                 {-1, 6, 0, 3.0},
+                                 {-1, 7, 0, 1.0},
+                                 {-1, 8, 65537, 3.0},
+                                 {0, 10, 0, 2.0},
+                                 {0, 11, 0, 4.0},
+                                 {0, 12, 65537, 1.0},
+                                 {0, 13, 65542, 1.0},
+                                 {0, 14, 65538, 1.0},
+                                 {0, 15, 0, 0x1p60},
+                                 {0, 16, 0, 5.0},
+                                 {0, 17, 0, 0x1p120},
+                                 {0, 18, 0, 3.0},
+                                 {0, 19, 65541, 1.0},
+                                 {0, 20, 65539, 0x1p60},
+                                 {0, 21, 256 * 1075, 2.0},
+                                 {0, 21, 256 * 1076 + 128, 1.0},
+                                 {0, 21, 256 * 1135, 1.0}};
+  rot_summary *s = rot_summary_new(1, &shift), *back;
+  ROT_CHECK_EQ_INT(rot_summary_add(s, &block), ROT_OK);
+  kit_table table = table_of(s);
+  ROT_CHECK(kit_is(&table, sizeof want / sizeof want[0], want));
+  table.rows.value[6] = 5.0; /* a failure with a status that no row has */
+  ROT_CHECK_EQ_INT(rot_summary_read(table.n, &table.rows, &back), ROT_EVALUE);
+  kit_table_free(&table);
+  rot_summary_free(s);
+}
+
+/* Standard deviations far from 1, shifts far from the mean. */
+static void deviations(void) {
+  const double x[] = {1.0, 2.0, 4.0, 5.0};
+  for (int e = -400; e <= 400; e += 100) {
+    double y[4];
+    for (int i = 0; i < 4; i++) y[i] = ldexp(x[i], e);
+    for (int k = -2; k <= 2; k++) {
+      rot_summary *s = of_column(4, y, NULL, ldexp(k, e));
+      ROT_CHECK_REL(rot_summary_sd(s, 0), ldexp(sqrt(10.0 / 3.0), e), 1e-15);
+      ROT_CHECK_ULP(rot_summary_mean(s, 0), ldexp(3.0, e), 0);
+      rot_summary_free(s);
+    }
+  }
+  rot_summary *s = of_column(1, x, NULL, 0.0);
+  ROT_CHECK(isnan(rot_summary_sd(s, 0)) && rot_summary_mean(s, 0) == 1.0);
+  rot_summary_free(s);
+}
+
 /* A damage is refused, or it gives another summary that is written with the same bits: of a sum, a
  * key of an extreme within the rows, ... */
 static void damages(void) {
@@ -645,6 +703,8 @@ int main(void) {
   merges();
   quantiles();
   kinds();
+  known_rows();
+  deviations();
   known_damages();
   damages();
   return rot_test_report("summary");
