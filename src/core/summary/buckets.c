@@ -72,14 +72,35 @@ int rot_bucket_limits(int64_t bucket, double *low, double *high) {
   return 1;
 }
 
+/* A circle: `later` of a histogram is the last one, `next` of that the first one. Codes of values:
+ * their place in a counter, below. */
+struct rot_bucket_values {
+  rot_bucket_values *next;
+  size_t n;
+  uint32_t code[];
+};
+
+static void free_later(rot_buckets *buckets) {
+  if (!buckets->later) return;
+  rot_bucket_values *next = buckets->later->next;
+  buckets->later->next = NULL;
+  while (next) {
+    rot_bucket_values *old = next;
+    next = old->next;
+    free(old);
+  }
+  buckets->later = NULL;
+}
+
 void rot_buckets_free(rot_buckets *buckets) {
+  free_later(buckets);
   free(buckets->at);
-  *buckets = (rot_buckets){0, NULL};
+  *buckets = (rot_buckets){0, NULL, NULL};
 }
 
 /* A block of memory also for n = 0, so that NULL says that there is none. */
 static rot_status room_for(rot_buckets *buckets, size_t n) {
-  *buckets = (rot_buckets){0, NULL};
+  *buckets = (rot_buckets){0, NULL, NULL};
   if (n > SIZE_MAX / sizeof *buckets->at - 1) return ROT_ENOMEM;
   buckets->at = malloc((n + 1) * sizeof *buckets->at);
   return buckets->at ? ROT_OK : ROT_ENOMEM;
@@ -131,13 +152,18 @@ void rot_bucket_counter_free(rot_bucket_counter *counter) {
   free(counter);
 }
 
-/* => count of the number with those bits, in a new page if need be; NULL: no memory */
-static uint32_t *find(rot_bucket_counter *counter, uint64_t bits) {
+/* => code of the number with those bits: 256 slot + part of its octave, a normal number's leading
+ * 20 bits */
+static uint32_t code_of(uint64_t bits) {
   const uint64_t size = bits & (UINT64_MAX >> 1);
-  const int negative = (int)(bits >> 63);
-  size_t slot = (size_t)(bits >> 52);
-  int32_t bucket = bucket_of_bits(size);
-  if (!(size >> 52)) slot = EXPONENTS + (size_t)(size ? bucket / PART + negative * ZERO : 0);
+  if (size >> 52) return (uint32_t)(bits >> 44);
+  const int32_t bucket = bucket_of_bits(size);
+  return (uint32_t)(EXPONENTS * PART + bucket) + (size && bits >> 63 ? ZERO * PART : 0);
+}
+
+/* => count of a code, in a new page if need be; NULL: no memory */
+static uint32_t *find(rot_bucket_counter *counter, uint32_t code) {
+  const size_t slot = code / PART;
   if (!counter->page[slot]) {
     if (counter->pages == counter->room) {
       const size_t old = counter->room * PART;
@@ -149,7 +175,7 @@ static uint32_t *find(rot_bucket_counter *counter, uint64_t bits) {
     }
     counter->page[slot] = (uint16_t)counter->pages++;
   }
-  return &counter->count[(size_t)counter->page[slot] * PART + (size_t)(bucket % PART)];
+  return &counter->count[(size_t)counter->page[slot] * PART + code % PART];
 }
 
 rot_status rot_bucket_counter_add(rot_bucket_counter *counter, size_t n, const double x[]) {
@@ -161,7 +187,7 @@ rot_status rot_bucket_counter_add(rot_bucket_counter *counter, size_t n, const d
       count[page * PART + (size_t)(bits >> 44) % PART]++;
       continue;
     }
-    uint32_t *to = find(counter, bits);
+    uint32_t *to = find(counter, code_of(bits));
     if (!to) return ROT_ENOMEM;
     (*to)++;
     count = counter->count;
@@ -200,4 +226,67 @@ rot_status rot_bucket_counter_take(rot_bucket_counter *counter, rot_buckets *buc
   for (size_t e = 1; e < negative; e++) take_slot(counter, e, (int64_t)e + SUBNORMAL, 0, buckets);
   counter->pages = 1;
   return ROT_OK;
+}
+
+/* ---- values for later ------------------------------------------------------------------------ */
+
+rot_status rot_buckets_later(rot_buckets *buckets, size_t n, const double x[]) {
+  if (n == 0) return ROT_OK;
+  rot_bucket_values *values = malloc(sizeof *values + n * sizeof values->code[0]);
+  if (!values) return ROT_ENOMEM;
+  for (size_t i = 0; i < n; i++) values->code[i] = code_of(bits_of(x[i]));
+  values->n = n;
+  values->next = values;
+  rot_buckets more = {0, NULL, values};
+  rot_buckets_move(buckets, &more);
+  return ROT_OK;
+}
+
+void rot_buckets_move(rot_buckets *into, rot_buckets *from) {
+  if (!from->later) return;
+  if (into->later) {
+    rot_bucket_values *first = into->later->next;
+    into->later->next = from->later->next;
+    from->later->next = first;
+  }
+  into->later = from->later;
+  from->later = NULL;
+}
+
+static rot_status count_codes(rot_bucket_counter *counter, size_t n, const uint32_t code[]) {
+  for (size_t i = 0; i < n; i++) {
+    const size_t page = counter->page[code[i] / PART];
+    uint32_t *to = page ? &counter->count[page * PART + code[i] % PART] : find(counter, code[i]);
+    if (!to) return ROT_ENOMEM;
+    (*to)++;
+  }
+  return ROT_OK;
+}
+
+static rot_status count_later(rot_buckets *buckets, rot_bucket_counter *counter) {
+  const rot_bucket_values *values = buckets->later;
+  rot_buckets counted = {0, NULL, NULL}, sum;
+  do {
+    values = values->next;
+    if (count_codes(counter, values->n, values->code) != ROT_OK) return ROT_ENOMEM;
+  } while (values != buckets->later);
+  if (rot_bucket_counter_take(counter, &counted) != ROT_OK) return ROT_ENOMEM;
+  if (buckets->n > 0) {
+    const rot_status status = rot_buckets_add(buckets, &counted, &sum);
+    rot_buckets_free(&counted);
+    if (status != ROT_OK) return status;
+    counted = sum;
+  }
+  rot_buckets_free(buckets);
+  *buckets = counted;
+  return ROT_OK;
+}
+
+rot_status rot_buckets_count(rot_buckets *buckets, rot_bucket_counter *counter) {
+  if (!buckets->later) return ROT_OK;
+  rot_bucket_counter *own = counter ? NULL : rot_bucket_counter_new();
+  if (!counter && !own) return ROT_ENOMEM;
+  const rot_status status = count_later(buckets, counter ? counter : own);
+  rot_bucket_counter_free(own);
+  return status;
 }

@@ -9,9 +9,10 @@
 
 enum { GROUPS = ROT_INDEX_GROUPS };
 
-rot_indices *rot_indices_new(size_t n_inputs, size_t n_columns, const double shift[],
-                             uint64_t run) {
+rot_indices *rot_indices_new(size_t n_inputs, size_t n_columns, const double shift[], uint64_t run,
+                             uint64_t block_rows) {
   if (n_inputs < 1 || n_inputs > ROT_INDEX_INPUTS || run < 1) return NULL;
+  if (!rot_stretch_is_size(block_rows)) return NULL;
   for (size_t i = 0; shift && i < n_columns; i++) {
     if (!isfinite(shift[i])) return NULL;
   }
@@ -19,6 +20,7 @@ rot_indices *rot_indices_new(size_t n_inputs, size_t n_columns, const double shi
   if (!x) return NULL;
   x->n_inputs = n_inputs;
   x->run = run;
+  x->span.block_rows = block_rows;
   x->terms = ROT_INDEX_DIFFERENCE + 2 * n_inputs;
   x->column = calloc(n_columns + 1, sizeof *x->column);
   for (size_t i = 0; x->column && i < n_columns; i++) {
@@ -106,7 +108,7 @@ static void keep_rows(size_t n, const double x[], const int status[], double to[
 
 rot_status rot_indices_add(rot_indices *x, uint64_t first_row, size_t n,
                            const double *const column[], const int status[]) {
-  const rot_stretch span = {first_row, n};
+  const rot_stretch span = {first_row, n, x->span.block_rows};
   const size_t length = x->n_inputs + 2;
   if (x->span.rows > 0 || !rot_stretch_is_block(span)) return ROT_EVALUE;
   const parts p = parts_of(x->n_inputs, span);
@@ -162,10 +164,13 @@ rot_status rot_indices_merge(rot_indices *into, const rot_indices *from) {
   for (size_t i = 0; i < into->n_columns; i++) {
     rot_indices_column *c = &into->column[i];
     const rot_indices_column *more = &from->column[i];
-    for (size_t k = 0; k < GROUPS * into->terms; k++) {
-      c->sum[k] = rot_sum_add(c->sum[k], more->sum[k]);
+    for (size_t g = 0; g < GROUPS; g++) {
+      if (more->points[g] == 0) continue; /* its sums are 0 */
+      c->points[g] += more->points[g];
+      for (size_t k = g * into->terms; k < (g + 1) * into->terms; k++) {
+        c->sum[k] = rot_sum_add(c->sum[k], more->sum[k]);
+      }
     }
-    for (int g = 0; g < GROUPS; g++) c->points[g] += more->points[g];
     c->skipped += more->skipped;
     merge_border(into, &left, more, &right, c);
   }
@@ -174,10 +179,10 @@ rot_status rot_indices_merge(rot_indices *into, const rot_indices *from) {
 }
 
 static rot_stretch span_of(const void *node) { return ((const rot_indices *)node)->span; }
-static rot_status merge(void *into, const void *from) { return rot_indices_merge(into, from); }
+static rot_status merge(void *into, void *from) { return rot_indices_merge(into, from); }
 static void free_node(void *node) { rot_indices_free(node); }
 
-const rot_tree_node rot_indices_node = {span_of, merge, free_node};
+const rot_tree_node rot_indices_node = {span_of, merge, NULL, free_node};
 
 /* ---- estimates ------------------------------------------------------------------------------- */
 
@@ -257,6 +262,7 @@ static void at_header(rot_long_at *at, header *h) {
   rot_long_count(at, run, ROT_KIND_INDEX_COLUMNS, 0, INT32_MAX, &h->n_columns);
   rot_long_count(at, run, ROT_KIND_INDEX_INPUTS, 0, ROT_INDEX_INPUTS, &h->n_inputs);
   rot_long_count(at, run, ROT_KIND_INDEX_RUN, 0, ROT_SWEEP_ROWS, &h->run);
+  rot_long_count(at, run, ROT_KIND_INDEX_BLOCK_ROWS, 0, ROT_BLOCK_ROWS_MAX, &h->span.block_rows);
 }
 
 static void at_values(rot_long_at *at, int quantity, rot_kind kind, uint64_t row, size_t n,
@@ -283,7 +289,9 @@ static void at_column(rot_long_at *at, const rot_indices *x, size_t i) {
       rot_dd *sum = &c->sum[k % GROUPS * x->terms + k / GROUPS];
       rot_long_number(at, q, low ? ROT_KIND_INDEX_SUM_LOW : ROT_KIND_INDEX_SUM, (int64_t)k,
                       low ? &sum->lo : &sum->hi);
-      if (at->read && low && !rot_long_is_sum(sum->hi, sum->lo)) at->bad = 1;
+      if (!at->read || !low) continue;
+      if (!rot_long_is_sum(sum->hi, sum->lo)) at->bad = 1;
+      if (c->points[k % GROUPS] == 0 && sum->hi != 0.0) at->bad = 1;
     }
   }
   at_values(at, q, ROT_KIND_INDEX_HEAD, x->span.first_row, p.head, c->head);
@@ -308,7 +316,7 @@ void rot_indices_rows(const rot_indices *x, const rot_long *rows) { write(x, row
 /* The header says how many rows there must be, which is compared before memory is taken. */
 rot_status rot_indices_read(size_t n, const rot_long *rows, rot_indices **indices) {
   rot_long_at at = {rows, n, 0, 1, 0};
-  header h = {{0, 0}, 0, 0, 0};
+  header h = {{0, 0, 0}, 0, 0, 0};
   *indices = NULL;
   at_header(&at, &h);
   if (at.bad || !rot_stretch_is_node(h.span) || h.n_inputs < 1 || h.run < 1) return ROT_EVALUE;
@@ -316,7 +324,8 @@ rot_status rot_indices_read(size_t n, const rot_long *rows, rot_indices **indice
   const uint64_t terms = ROT_INDEX_DIFFERENCE + 2 * h.n_inputs;
   const uint64_t each = 2 + GROUPS + 2 * GROUPS * terms + p.head + p.tail;
   if (h.n_columns > n / each || at.next + h.n_columns * each != n) return ROT_EVALUE;
-  rot_indices *x = rot_indices_new((size_t)h.n_inputs, (size_t)h.n_columns, NULL, h.run);
+  rot_indices *x =
+      rot_indices_new((size_t)h.n_inputs, (size_t)h.n_columns, NULL, h.run, h.span.block_rows);
   if (!x) return ROT_ENOMEM;
   x->span = h.span;
   for (size_t i = 0; i < x->n_columns; i++) at_column(&at, x, i);

@@ -9,10 +9,10 @@
  *
  * A base point with a failed row or a value that is not finite is skipped, for that output.
  *
- * Blocks are the 2^16 rows of summary/stretch.h, as for all designs. A base point may continue in
- * the next block: the sums then carry the values of its rows until merging brings the other ones,
- * and it enters the sums of that node. So nothing else depends on the length of a base point, and
- * the bits depend on the rows alone.
+ * Blocks are those of summary/stretch.h, as for all designs. A base point may continue in the next
+ * blocks: the sums then carry the values of its rows until merging brings the other ones, and it
+ * enters the sums of that node. So nothing else depends on the length of a base point, and the bits
+ * depend on the rows and block_rows alone.
  *
  * Standard errors are those of the jackknife over 16 groups of base points: base point j is in
  * group floor(j/run) modulo 16. run = 1, interleaved groups, suits independent base points
@@ -37,7 +37,7 @@
 #include "summary/stretch.h"
 #include "summary/tree.h"
 
-enum { ROT_INDEX_GROUPS = 16, ROT_INDEX_INPUTS = 65534 /* max d: two blocks for a base point */ };
+enum { ROT_INDEX_GROUPS = 16, ROT_INDEX_INPUTS = 65534 /* max d: 2^16 rows of a base point */ };
 
 /* Sums of a group over its base points, a = f(A) - shift, b = f(B) - shift, x = f(AB_i) - shift. */
 enum {
@@ -64,9 +64,10 @@ typedef struct rot_indices {
   rot_indices_column *column;
 } rot_indices;
 
-/* shift[]: one finite number a column, near the mean; NULL: 0. run: see above. NULL: no memory, or
- * an argument outside its domain. */
-rot_indices *rot_indices_new(size_t n_inputs, size_t n_columns, const double shift[], uint64_t run);
+/* shift[]: one finite number a column, near the mean; NULL: 0. run: see above. block_rows: rows of
+ * a block. NULL: no memory, or an argument outside its domain. */
+rot_indices *rot_indices_new(size_t n_inputs, size_t n_columns, const double shift[], uint64_t run,
+                             uint64_t block_rows);
 void rot_indices_free(rot_indices *indices);
 
 /* Fills empty sums by one block, as rot_summary_add(): n rows from first_row on; status 0: good;

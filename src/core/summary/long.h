@@ -30,6 +30,7 @@ enum { ROT_RUN_QUANTITY = -1 };
   X(ROT_KIND_ERROR_ABOVE, 6, "error_above")     /* => rows with an error above the accuracy */     \
   X(ROT_KIND_ERROR_UNKNOWN, 7, "error_unknown") /* => rows with the error NaN */                   \
   X(ROT_KIND_ERROR_MAX, 8, "error_max")         /* row => largest error, if any is a number */     \
+  X(ROT_KIND_BLOCK_ROWS, 9, "block_rows")       /* => rows of a block (summary/stretch.h) */       \
   /* a column of a summary */                                                                      \
   X(ROT_KIND_SHIFT, 10, "shift")                                                                   \
   X(ROT_KIND_FINITE, 11, "finite")           /* => finite values */                                \
@@ -49,6 +50,7 @@ enum { ROT_RUN_QUANTITY = -1 };
   X(ROT_KIND_INDEX_COLUMNS, 102, "index_columns")                                                  \
   X(ROT_KIND_INDEX_INPUTS, 103, "index_inputs")                                                    \
   X(ROT_KIND_INDEX_RUN, 104, "index_run") /* => base points in a row of one group */               \
+  X(ROT_KIND_INDEX_BLOCK_ROWS, 105, "index_block_rows")                                            \
   X(ROT_KIND_INDEX_SHIFT, 110, "index_shift")                                                      \
   X(ROT_KIND_INDEX_SKIPPED, 111,                                                                   \
     "index_skipped")                            /* => base points with a value that is missing */  \
@@ -62,7 +64,8 @@ enum { ROT_RUN_QUANTITY = -1 };
   X(ROT_KIND_MEAN_ROWS, 201, "mean_rows")                                                          \
   X(ROT_KIND_MEAN_COLUMNS, 202, "mean_columns")                                                    \
   X(ROT_KIND_MEAN_REPLICATES, 203, "mean_replicates")                                              \
-  X(ROT_KIND_MEAN_RUN, 204, "mean_run")         /* => rows in a row of one group */                \
+  X(ROT_KIND_MEAN_RUN, 204, "mean_run") /* => rows in a row of one group */                        \
+  X(ROT_KIND_MEAN_BLOCK_ROWS, 205, "mean_block_rows")                                              \
   X(ROT_KIND_MEAN_COUNT, 210, "mean_count")     /* g => values */                                  \
   X(ROT_KIND_MEAN_SUM, 211, "mean_sum")         /* g => sum */                                     \
   X(ROT_KIND_MEAN_SUM_LOW, 212, "mean_sum_low") /* g => its compensation */

@@ -6,14 +6,16 @@
 #include "ground/exact.h"
 #include "summary/sum.h"
 
-rot_means *rot_means_new(size_t n_columns, size_t replicates, uint64_t run) {
+rot_means *rot_means_new(size_t n_columns, size_t replicates, uint64_t run, uint64_t block_rows) {
   if (replicates < 1 || replicates > ROT_MEANS_REPLICATES || run < 1) return NULL;
+  if (!rot_stretch_is_size(block_rows)) return NULL;
   if (n_columns > SIZE_MAX / sizeof(rot_means_group) / replicates - 1) return NULL;
   rot_means *m = calloc(1, sizeof *m);
   if (!m) return NULL;
   m->n_columns = n_columns;
   m->replicates = replicates;
   m->run = run;
+  m->span.block_rows = block_rows;
   m->group = calloc((n_columns + 1) * replicates, sizeof *m->group);
   if (m->group) return m;
   free(m);
@@ -28,7 +30,7 @@ void rot_means_free(rot_means *m) {
 
 rot_status rot_means_add(rot_means *m, uint64_t first_row, size_t n, const double *const column[],
                          const int status[]) {
-  const rot_stretch span = {first_row, n};
+  const rot_stretch span = {first_row, n, m->span.block_rows};
   if (m->span.rows > 0 || !rot_stretch_is_block(span)) return ROT_EVALUE;
   for (size_t c = 0; c < m->n_columns; c++) {
     rot_means_group *group = m->group + c * m->replicates;
@@ -58,6 +60,7 @@ rot_status rot_means_merge(rot_means *into, const rot_means *from) {
     return ROT_EVALUE;
   }
   for (size_t i = 0; i < into->n_columns * into->replicates; i++) {
+    if (from->group[i].count == 0) continue; /* its sum is 0 */
     into->group[i].count += from->group[i].count;
     into->group[i].sum = rot_sum_add(into->group[i].sum, from->group[i].sum);
   }
@@ -66,10 +69,10 @@ rot_status rot_means_merge(rot_means *into, const rot_means *from) {
 }
 
 static rot_stretch span_of(const void *node) { return ((const rot_means *)node)->span; }
-static rot_status merge(void *into, const void *from) { return rot_means_merge(into, from); }
+static rot_status merge(void *into, void *from) { return rot_means_merge(into, from); }
 static void free_node(void *node) { rot_means_free(node); }
 
-const rot_tree_node rot_means_node = {span_of, merge, free_node};
+const rot_tree_node rot_means_node = {span_of, merge, NULL, free_node};
 
 /* Sum over all groups except one (the number of groups: over all) => mean; NaN without values */
 static double mean_without(const rot_means *m, const rot_means_group *group, size_t without) {
@@ -109,6 +112,7 @@ static void at_header(rot_long_at *at, header *h) {
   rot_long_count(at, run, ROT_KIND_MEAN_COLUMNS, 0, INT32_MAX, &h->n_columns);
   rot_long_count(at, run, ROT_KIND_MEAN_REPLICATES, 0, ROT_MEANS_REPLICATES, &h->replicates);
   rot_long_count(at, run, ROT_KIND_MEAN_RUN, 0, ROT_SWEEP_ROWS, &h->run);
+  rot_long_count(at, run, ROT_KIND_MEAN_BLOCK_ROWS, 0, ROT_BLOCK_ROWS_MAX, &h->span.block_rows);
 }
 
 static void at_column(rot_long_at *at, const rot_means *m, size_t i) {
@@ -145,13 +149,13 @@ void rot_means_rows(const rot_means *m, const rot_long *rows) { write(m, rows); 
 /* The header says how many rows there must be, which is compared before memory is taken. */
 rot_status rot_means_read(size_t n, const rot_long *rows, rot_means **means) {
   rot_long_at at = {rows, n, 0, 1, 0};
-  header h = {{0, 0}, 0, 0, 0};
+  header h = {{0, 0, 0}, 0, 0, 0};
   *means = NULL;
   at_header(&at, &h);
   if (at.bad || !rot_stretch_is_node(h.span) || h.replicates < 1 || h.run < 1) return ROT_EVALUE;
   const uint64_t each = 3 * h.replicates;
   if (h.n_columns > n / each || at.next + h.n_columns * each != n) return ROT_EVALUE;
-  rot_means *m = rot_means_new((size_t)h.n_columns, (size_t)h.replicates, h.run);
+  rot_means *m = rot_means_new((size_t)h.n_columns, (size_t)h.replicates, h.run, h.span.block_rows);
   if (!m) return ROT_ENOMEM;
   m->span = h.span;
   for (size_t i = 0; i < m->n_columns; i++) at_column(&at, m, i);

@@ -5,7 +5,7 @@
  * single Sobol sequence exaggerate the standard error (summary/indices.h). The standard error is
  * that of the jackknife; with as many values in each group it is the standard deviation of the
  * groups' means over the root of their number. Rows with a status other than 0 and values that are
- * not finite are left out. The bits depend on the rows alone. */
+ * not finite are left out. The bits depend on the rows and block_rows alone. */
 #ifndef ROT_MEANS_H
 #define ROT_MEANS_H
 
@@ -32,8 +32,9 @@ typedef struct rot_means {
   rot_means_group *group; /* group[replicates * column + g] */
 } rot_means;
 
-/* replicates: 1 .. 4096; run >= 1. NULL: no memory, or an argument outside its domain. */
-rot_means *rot_means_new(size_t n_columns, size_t replicates, uint64_t run);
+/* replicates: 1 .. 4096; run >= 1; block_rows: rows of a block (summary/stretch.h). NULL: no
+ * memory, or an argument outside its domain. */
+rot_means *rot_means_new(size_t n_columns, size_t replicates, uint64_t run, uint64_t block_rows);
 void rot_means_free(rot_means *means);
 
 /* Fills empty means by one block, as rot_indices_add(). */

@@ -11,12 +11,14 @@
 /* A block is summed in pieces that stay in the first cache. */
 enum { PIECE = 1024, LANES = 4 };
 
-rot_summary *rot_summary_new(size_t n_columns, const double shift[]) {
+rot_summary *rot_summary_new(size_t n_columns, const double shift[], uint64_t block_rows) {
+  if (!rot_stretch_is_size(block_rows)) return NULL;
   for (size_t i = 0; shift && i < n_columns; i++) {
     if (!isfinite(shift[i])) return NULL;
   }
   rot_summary *summary = calloc(1, sizeof *summary);
   if (!summary) return NULL;
+  summary->span.block_rows = block_rows;
   summary->n_columns = n_columns;
   summary->column = calloc(n_columns + 1, sizeof *summary->column);
   if (!summary->column) {
@@ -29,6 +31,7 @@ rot_summary *rot_summary_new(size_t n_columns, const double shift[]) {
 
 void rot_summary_clear(rot_summary *summary) {
   const size_t n = summary->n_columns;
+  const uint64_t block_rows = summary->span.block_rows;
   rot_summary_column *column = summary->column;
   for (size_t i = 0; i < n; i++) {
     const double shift = column[i].shift;
@@ -37,6 +40,7 @@ void rot_summary_clear(rot_summary *summary) {
     column[i].shift = shift;
   }
   memset(summary, 0, sizeof *summary);
+  summary->span.block_rows = block_rows;
   summary->n_columns = n;
   summary->column = column;
 }
@@ -179,7 +183,8 @@ static rot_dd sum_of_lanes(const double sum[], const double low[]) {
   return rot_sum_add(rot_sum_add(s[0], s[1]), rot_sum_add(s[2], s[3]));
 }
 
-/* failures[i]: the number of rows of piece i with a status other than 0. */
+/* failures[i]: the number of rows of piece i with a status other than 0. Without a counter values
+ * are counted later. */
 static rot_status add_column(rot_summary_column *column, const rot_summary_block *block,
                              const double x[], const uint16_t failures[],
                              rot_bucket_counter *counter) {
@@ -212,18 +217,21 @@ static rot_status add_column(rot_summary_column *column, const rot_summary_block
       column->maximum_row = row + (at ? at[i] : i);
     }
     column->finite += n;
-    if (rot_bucket_counter_add(counter, n, value) != ROT_OK) return ROT_ENOMEM;
+    const rot_status status = counter ? rot_bucket_counter_add(counter, n, value)
+                                      : rot_buckets_later(&column->buckets, n, value);
+    if (status != ROT_OK) return status;
   }
   column->sum = sum_of_lanes(sums.sum, sums.sum_low);
   column->squares = sum_of_lanes(sums.squares, sums.squares_low);
-  return rot_bucket_counter_take(counter, &column->buckets);
+  return counter ? rot_bucket_counter_take(counter, &column->buckets) : ROT_OK;
 }
 
 /* Counts rows by status and failures by piece. */
 static rot_status add_statuses(rot_summary *summary, const rot_summary_block *block,
                                uint16_t failures[]) {
-  for (size_t i = 0; i < block->n; i++) {
-    const int status = block->status ? block->status[i] : 0;
+  if (!block->status) summary->rows_with_status[0] = block->n;
+  for (size_t i = 0; block->status && i < block->n; i++) {
+    const int status = block->status[i];
     if (status < 0 || status >= ROT_SUMMARY_STATUSES) return ROT_EVALUE;
     summary->rows_with_status[status]++;
     if (status == 0) continue;
@@ -249,14 +257,17 @@ static void add_errors(rot_summary *summary, const rot_summary_block *block) {
 }
 
 rot_status rot_summary_add(rot_summary *summary, const rot_summary_block *block) {
-  const rot_stretch span = {block->first_row, block->n};
-  uint16_t failures[ROT_BLOCK_ROWS / PIECE] = {0};
+  const rot_stretch span = {block->first_row, block->n, summary->span.block_rows};
+  uint16_t failures[ROT_BLOCK_ROWS_MAX / PIECE] = {0};
   if (summary->span.rows > 0 || !rot_stretch_is_block(span) || block->kept > block->n) {
     return ROT_EVALUE;
   }
   rot_status status = add_statuses(summary, block, failures);
-  rot_bucket_counter *counter = status == ROT_OK ? rot_bucket_counter_new() : NULL;
-  if (status == ROT_OK && !counter) status = ROT_ENOMEM;
+  rot_bucket_counter *counter = NULL;
+  if (status == ROT_OK && span.block_rows == ROT_BLOCK_ROWS_MAX) {
+    counter = rot_bucket_counter_new();
+    if (!counter) status = ROT_ENOMEM;
+  }
   for (size_t i = 0; status == ROT_OK && i < summary->n_columns; i++) {
     status = add_column(&summary->column[i], block, block->column[i], failures, counter);
   }
@@ -323,14 +334,31 @@ static int same_columns(const rot_summary *a, const rot_summary *b) {
   return 1;
 }
 
+/* Through the pointer to the columns: the values that the summary stands for do not change. */
+rot_status rot_summary_count(const rot_summary *summary) {
+  rot_bucket_counter *counter = NULL;
+  rot_status status = ROT_OK;
+  for (size_t i = 0; status == ROT_OK && i < summary->n_columns; i++) {
+    rot_buckets *buckets = &summary->column[i].buckets;
+    if (!buckets->later) continue;
+    if (!counter) counter = rot_bucket_counter_new();
+    status = counter ? rot_buckets_count(buckets, counter) : ROT_ENOMEM;
+  }
+  rot_bucket_counter_free(counter);
+  return status;
+}
+
 /* All memory is taken before anything changes. */
 rot_status rot_summary_merge(rot_summary *into, const rot_summary *from) {
   const size_t n = into->n_columns;
   if (!rot_stretch_are_children(into->span, from->span) || !same_columns(into, from)) {
     return ROT_EVALUE;
   }
+  rot_status status = rot_summary_count(into);
+  if (status == ROT_OK) status = rot_summary_count(from);
+  if (status != ROT_OK) return status;
   rot_buckets *sum = calloc(n + 1, sizeof *sum);
-  rot_status status = sum ? ROT_OK : ROT_ENOMEM;
+  if (!sum) status = ROT_ENOMEM;
   for (size_t i = 0; status == ROT_OK && i < n; i++) {
     status = rot_buckets_add(&into->column[i].buckets, &from->column[i].buckets, &sum[i]);
   }
@@ -348,11 +376,35 @@ rot_status rot_summary_merge(rot_summary *into, const rot_summary *from) {
   return status;
 }
 
+static int nothing_counted(const rot_summary *summary) {
+  for (size_t i = 0; i < summary->n_columns; i++) {
+    if (summary->column[i].buckets.n > 0) return 0;
+  }
+  return 1;
+}
+
+/* Small blocks: up to 2^16 rows are counted together. Without memory then, later. */
+static rot_status merge(void *left, void *right) {
+  rot_summary *into = left, *from = right;
+  const uint64_t rows = into->span.rows + from->span.rows;
+  if (rows > ROT_BLOCK_ROWS_MAX || !nothing_counted(from)) return rot_summary_merge(into, from);
+  if (!rot_stretch_are_children(into->span, from->span) || !same_columns(into, from)) {
+    return ROT_EVALUE;
+  }
+  for (size_t i = 0; i < into->n_columns; i++) {
+    rot_buckets_move(&into->column[i].buckets, &from->column[i].buckets);
+    merge_column(&into->column[i], &from->column[i]);
+  }
+  merge_run(into, from);
+  if (rows == ROT_BLOCK_ROWS_MAX) (void)rot_summary_count(into);
+  return ROT_OK;
+}
+
+static rot_status finish(void *node) { return rot_summary_count(node); }
 static rot_stretch span_of(const void *node) { return ((const rot_summary *)node)->span; }
-static rot_status merge(void *into, const void *from) { return rot_summary_merge(into, from); }
 static void free_node(void *node) { rot_summary_free(node); }
 
-const rot_tree_node rot_summary_node = {span_of, merge, free_node};
+const rot_tree_node rot_summary_node = {span_of, merge, finish, free_node};
 
 /* ---- figures --------------------------------------------------------------------------------- */
 
@@ -386,6 +438,7 @@ rot_status rot_summary_quantile(const rot_summary *summary, size_t column, doubl
   *low = *high = NAN;
   if (!(p >= 0.0 && p <= 1.0)) return ROT_EVALUE;
   if (n == 0) return ROT_OK;
+  if (rot_summary_count(summary) != ROT_OK) return ROT_ENOMEM;
   uint64_t rank = (uint64_t)ceil(p * (double)n);
   if (rank < 1) rank = 1;
   if (rank <= c->minus_inf) {
@@ -500,6 +553,12 @@ static void at_errors(rot_long_at *at, rot_summary *summary) {
   if (at->read) summary->has_error_max = has;
 }
 
+static void at_block_rows(rot_long_at *at, rot_stretch *span) {
+  rot_long_count(at, ROT_RUN_QUANTITY, ROT_KIND_BLOCK_ROWS, 0, ROT_BLOCK_ROWS_MAX,
+                 &span->block_rows);
+  if (at->read && !rot_stretch_is_node(*span)) at->bad = 1;
+}
+
 static void at_buckets(rot_long_at *at, int quantity, uint64_t max, rot_buckets *buckets) {
   for (size_t i = 0; i < buckets->n && !at->bad; i++) {
     rot_bucket *b = &buckets->at[i];
@@ -563,6 +622,7 @@ static rot_status at_rest(rot_long_at *at, rot_summary *summary) {
   at_statuses(at, summary);
   at_failed(at, summary);
   at_errors(at, summary);
+  at_block_rows(at, &summary->span);
   rot_status status = at->bad ? ROT_EVALUE : ROT_OK;
   for (size_t i = 0; status == ROT_OK && i < summary->n_columns; i++) {
     status = at_column(at, summary, i);
@@ -580,7 +640,9 @@ static size_t write(const rot_summary *summary, const rot_long *rows) {
   return at.next;
 }
 
-size_t rot_summary_rows_size(const rot_summary *summary) { return write(summary, NULL); }
+size_t rot_summary_rows_size(const rot_summary *summary) {
+  return rot_summary_count(summary) == ROT_OK ? write(summary, NULL) : 0;
+}
 
 void rot_summary_rows(const rot_summary *summary, const rot_long *rows) { write(summary, rows); }
 
@@ -635,14 +697,15 @@ static int agrees(const rot_summary *summary) {
 }
 
 /* A column takes at least seven rows: a number of columns that the rows cannot have is refused
- * before memory is taken for it. */
+ * before memory is taken for it. The size of blocks comes behind other rows: until then the span is
+ * checked with the smallest blocks, of which all nodes consist. */
 rot_status rot_summary_read(size_t n, const rot_long *rows, rot_summary **summary) {
   rot_long_at at = {rows, n, 0, 1, 0};
-  rot_stretch span = {0, 0};
+  rot_stretch span = {0, 0, ROT_BLOCK_ROWS_MIN};
   *summary = NULL;
   const uint64_t n_columns = at_header(&at, &span, 0);
   if (at.bad || !rot_stretch_is_node(span) || n_columns > n / 7) return ROT_EVALUE;
-  rot_summary *s = rot_summary_new((size_t)n_columns, NULL);
+  rot_summary *s = rot_summary_new((size_t)n_columns, NULL, span.block_rows);
   if (!s) return ROT_ENOMEM;
   s->span = span;
   rot_status status = at_rest(&at, s);

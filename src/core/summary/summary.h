@@ -12,10 +12,10 @@
  * one; sums, extremes and buckets have the finite values. So for each column finite + nan +
  * plus_inf + minus_inf = rows_with_status[0].
  *
- * All members of a whole depend on the rows alone, bit for bit: not on threads, chunks, order of
- * arrival or width of registers. Within a block, four sums take the values in turns (row modulo 4;
- * within a piece of 1024 rows with failures or values that are not finite: the n-th finite value, n
- * modulo 4); blocks are added along the tree.
+ * All members of a whole depend on the rows and block_rows alone, bit for bit: not on threads,
+ * chunks, order of arrival or width of registers. Within a block, four sums take the values in turns
+ * (row modulo 4; within a piece of 1024 rows with failures or values that are not finite: the n-th
+ * finite value, n modulo 4); blocks are added along the tree.
  *
  * Sums are double-double numbers with an error of some 2^-90 of the sum of |x|. Squares are those
  * of the rounded difference of value and shift, so choose a shift near the mean, the same for all
@@ -66,8 +66,8 @@ typedef struct rot_summary {
 
 /* One block of rows. */
 typedef struct rot_summary_block {
-  uint64_t first_row;          /* a multiple of 2^16 */
-  size_t n;                    /* rows: 2^16, or fewer in the last block of the sweep */
+  uint64_t first_row;          /* a multiple of block_rows */
+  size_t n;                    /* block_rows, or fewer in the last block of the sweep */
   const double *const *column; /* n_columns columns of n values */
   const int *status;           /* 0 .. 31 each; NULL: all 0 */
   const double *error;         /* error figures; NULL: not known, nothing is counted */
@@ -75,9 +75,10 @@ typedef struct rot_summary_block {
   uint64_t kept;               /* number of rows kept, up to n */
 } rot_summary_block;
 
-/* shift[]: one finite number a column; NULL: 0. NULL: no memory, or a shift that is not finite. */
-rot_summary *rot_summary_new(size_t n_columns, const double shift[]);
-/* Empties a summary, shifts excepted. */
+/* shift[]: one finite number a column; NULL: 0. block_rows: rows of a block (summary/stretch.h).
+ * NULL: no memory, or an argument outside its domain. */
+rot_summary *rot_summary_new(size_t n_columns, const double shift[], uint64_t block_rows);
+/* Empties a summary, shifts and block_rows excepted. */
 void rot_summary_clear(rot_summary *summary);
 void rot_summary_free(rot_summary *summary);
 
@@ -85,8 +86,16 @@ void rot_summary_free(rot_summary *summary);
  * is not 0 .. 31. After a failure it is empty. Different summaries may be filled by threads. */
 rot_status rot_summary_add(rot_summary *summary, const rot_summary_block *block);
 
-/* Joins the left and the right child of a node of the tree; ROT_EVALUE for any other rows, columns
- * or shifts. `into` is unchanged by a failure. rot_tree_add() does it where the order is due. */
+/* Completes the histograms. Blocks of fewer than 2^16 rows leave their values in buckets.later, to
+ * be counted together: rot_tree_finish(), rot_summary_merge(), rot_summary_quantile() and
+ * rot_summary_rows_size() do it. Only who reads column.buckets or calls rot_summary_buckets() after
+ * rot_summary_add() alone needs to call this. One thread at a time. ROT_ENOMEM: may be called
+ * again. */
+rot_status rot_summary_count(const rot_summary *summary);
+
+/* Joins the left and the right child of a node of the tree; ROT_EVALUE for any other rows, columns,
+ * shifts or block_rows. `into` is unchanged by a failure. rot_tree_add() does it where the order is
+ * due. */
 rot_status rot_summary_merge(rot_summary *into, const rot_summary *from);
 
 /* The type of nodes for rot_tree_new(). */
@@ -105,7 +114,8 @@ double rot_summary_sd(const rot_summary *summary, size_t column);
  *
  * high - low < 2^-8 |x| for each x in the interval, so the middle is within 2^-9 of the quantile: a
  * bound. low = high for 0, infinities, and ranks 1 and n, which are the minimum and the maximum;
- * these limit the other intervals. NaN for n = 0. ROT_EVALUE, and NaN, for p outside [0, 1]. */
+ * these limit the other intervals. NaN for n = 0. ROT_EVALUE, and NaN, for p outside [0, 1];
+ * ROT_ENOMEM, and NaN. */
 rot_status rot_summary_quantile(const rot_summary *summary, size_t column, double p, double *low,
                                 double *high);
 /* (low, high) => middle of such an interval */
@@ -118,9 +128,10 @@ void rot_summary_buckets(const rot_summary *summary, size_t column, double low[]
 
 /* ---- long form ------------------------------------------------------------------------------- */
 
-/* => number of rows (summary/long.h); 0 for an empty summary, which has no long form */
+/* => number of rows (summary/long.h); 0 for an empty summary, which has no long form, and without
+ * memory for rot_summary_count() */
 size_t rot_summary_rows_size(const rot_summary *summary);
-/* Fills that many rows. */
+/* Fills that many rows; after rot_summary_rows_size(). */
 void rot_summary_rows(const rot_summary *summary, const rot_long *rows);
 /* n rows => summary, which the caller frees. ROT_EVALUE for rows that no summary has;
  * ROT_ENOMEM. */

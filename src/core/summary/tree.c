@@ -61,6 +61,7 @@ static rot_status join_complete(rot_tree *tree, size_t i) {
 rot_status rot_tree_add(rot_tree *tree, void *node) {
   const rot_stretch span = tree->type->span(node);
   if (!rot_stretch_is_node(span)) return ROT_EVALUE;
+  if (tree->n > 0 && span_at(tree, 0).block_rows != span.block_rows) return ROT_EVALUE;
   size_t at = tree->n;
   while (at > 0 && span_at(tree, at - 1).first_row >= span.first_row) at--;
   if (at < tree->n && span_at(tree, at).first_row < span.first_row + span.rows) return ROT_EVALUE;
@@ -93,12 +94,14 @@ rot_status rot_tree_finish(rot_tree *tree, void **node) {
   for (size_t i = tree->n - 1; i-- > 0;) {
     const rot_stretch left = span_at(tree, i);
     if (!rot_stretch_are_children(left, last)) return ROT_EVALUE;
-    last = (rot_stretch){left.first_row, left.rows + last.rows};
+    last = (rot_stretch){left.first_row, left.rows + last.rows, left.block_rows};
   }
   while (tree->n > 1) {
     const rot_status status = join(tree, tree->n - 2);
     if (status != ROT_OK) return status;
   }
+  const rot_status status = tree->type->finish ? tree->type->finish(tree->node[0]) : ROT_OK;
+  if (status != ROT_OK) return status;
   *node = tree->node[0];
   tree->n = 0;
   return ROT_OK;

@@ -18,7 +18,9 @@
 /* A type of nodes. */
 typedef struct rot_tree_node {
   rot_stretch (*span)(const void *node);
-  rot_status (*merge)(void *into, const void *from); /* `into` is unchanged if it fails */
+  /* Both are unchanged if it fails; else the tree frees `from`, whose memory may be taken. */
+  rot_status (*merge)(void *into, void *from);
+  rot_status (*finish)(void *node); /* completes what merge() left for later; NULL: nothing */
   void (*free)(void *node);
 } rot_tree_node;
 
@@ -30,8 +32,8 @@ rot_tree *rot_tree_new(const rot_tree_node *type);
 void rot_tree_free(rot_tree *tree);
 
 /* On ROT_OK the tree owns the node, else the caller still does. ROT_EVALUE: the rows are no
- * subtree, or some of them were added before. ROT_ENOMEM leaves the tree usable; the node is the
- * caller's. */
+ * subtree, some of them were added before, or the nodes before have blocks of another size.
+ * ROT_ENOMEM leaves the tree usable; the node is the caller's. */
 rot_status rot_tree_add(rot_tree *tree, void *node);
 
 /* => the node of all rows added, which the caller frees; the tree is empty then and may be used

@@ -7,6 +7,14 @@
 #include "rot_test.h"
 #include "summary/long.h"
 
+/* Rows of a block: the smallest, one between, the largest. */
+enum { KIT_SIZES = 3, KIT_NO_SIZES = 9 };
+static const uint64_t kit_block_rows[KIT_SIZES] = {256, 4096, 65536};
+
+/* Numbers that no block has. */
+static const uint64_t kit_no_block_rows[KIT_NO_SIZES] = {0,   1,     128,    255,       257,
+                                                         768, 65535, 131072, UINT64_MAX};
+
 /* splitmix64: a state of its own for each use. */
 static inline uint64_t kit_bits(uint64_t *state) {
   uint64_t z = (*state += 0x9e3779b97f4a7c15u);

@@ -33,12 +33,14 @@ static double row_value(function *f, uint64_t seed, uint64_t row) {
 /* The rows of a design in x (and status), block by block. */
 static rot_indices *block_of(const rot_indices *form, uint64_t block, uint64_t rows,
                              const double x[], const int status[]) {
-  const uint64_t first = block * ROT_BLOCK_ROWS;
-  const size_t n = rows - first < ROT_BLOCK_ROWS ? (size_t)(rows - first) : ROT_BLOCK_ROWS;
+  const uint64_t first = block * form->span.block_rows;
+  const uint64_t most = form->span.block_rows;
+  const size_t n = (size_t)(rows - first < most ? rows - first : most);
   const double *column[] = {x + first, x + first};
   double shift[2] = {0.0, 0.0};
   for (size_t i = 0; i < form->n_columns; i++) shift[i] = form->column[i].shift;
-  rot_indices *s = rot_indices_new(form->n_inputs, form->n_columns, shift, form->run);
+  rot_indices *s =
+      rot_indices_new(form->n_inputs, form->n_columns, shift, form->run, form->span.block_rows);
   ROT_CHECK_EQ_INT(rot_indices_add(s, first, n, column, status ? status + first : NULL), ROT_OK);
   return s;
 }
@@ -65,11 +67,13 @@ static rot_indices *read_back(rot_indices *s) {
 
 static rot_indices *whole(const rot_indices *form, uint64_t rows, const double x[],
                           const int status[], uint64_t size, uint64_t turn) {
-  const uint64_t blocks = rot_stretch_blocks((rot_stretch){0, rows});
+  const uint64_t blocks = rot_stretch_blocks((rot_stretch){0, rows, form->span.block_rows});
   rot_tree *tree = rot_tree_new(type), *part = rot_tree_new(type);
   void *node = NULL;
-  for (uint64_t i = 0; i < 16; i++) {
-    const uint64_t chunk = i * turn % 16;
+  uint64_t places = 16;
+  while (places * size < blocks) places *= 2;
+  for (uint64_t i = 0; i < places; i++) {
+    const uint64_t chunk = i * turn % places;
     if (chunk * size >= blocks) continue;
     for (uint64_t k = 0; k < size; k++) {
       const uint64_t b = chunk * size + k * turn % size;
@@ -124,6 +128,29 @@ static void check_sums(const rot_indices *s, size_t column, uint64_t rows, const
   free(want);
 }
 
+static void check_chunks(size_t d, uint64_t run, uint64_t block_rows, const double shift[],
+                         uint64_t rows, const double x[], const int status[]) {
+  rot_indices *form = rot_indices_new(d, 2, shift, run, block_rows);
+  char want[ROT_HASH_SIZE], got[ROT_HASH_SIZE];
+  for (uint64_t size = 1; size <= 16; size *= 4) {
+    for (uint64_t turn = 1; turn <= 7; turn += 6) {
+      rot_indices *s = whole(form, rows, x, status, size, turn);
+      kit_table table = table_of(s);
+      kit_hash(&table, got);
+      if (size == 1 && turn == 1) {
+        memcpy(want, got, sizeof want);
+        check_sums(s, 0, rows, x, status);
+        check_sums(s, 1, rows, x, status);
+      }
+      ROT_CHECK(strcmp(want, got) == 0);
+      kit_table_free(&table);
+      rot_indices_free(s);
+      if (d > 1000) size = 16;
+    }
+  }
+  rot_indices_free(form);
+}
+
 /* Whole numbers, lengths of base points that do and do not divide 2^16, failed rows, ragged ends,
  * incomplete last base points. */
 static void any_chunks(void) {
@@ -138,6 +165,8 @@ static void any_chunks(void) {
              {11, 65537, 2},
              {20000, 65536 + 5000, 1},
              {20000, 80008, 1},
+             {300, 20000, 2},
+             {254, 1024, 1},
              {3, 4, 1},
              {3, 5, 1}};
   for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
@@ -157,25 +186,10 @@ static void any_chunks(void) {
       status[65535] = i % 2 ? 1 : 0;
       status[65536] = 0;
     }
-    rot_indices *form = rot_indices_new(row[i].d, 2, shift, row[i].run);
-    char want[ROT_HASH_SIZE], got[ROT_HASH_SIZE];
-    for (uint64_t size = 1; size <= 16; size *= 4) {
-      for (uint64_t turn = 1; turn <= 7; turn += 6) {
-        rot_indices *s = whole(form, rows, x, status, size, turn);
-        kit_table table = table_of(s);
-        kit_hash(&table, got);
-        if (size == 1 && turn == 1) {
-          memcpy(want, got, sizeof want);
-          check_sums(s, 0, rows, x, status);
-          check_sums(s, 1, rows, x, status);
-        }
-        ROT_CHECK(strcmp(want, got) == 0);
-        kit_table_free(&table);
-        rot_indices_free(s);
-        if (row[i].d > 1000) size = 16;
-      }
+    /* Base points of 20002 rows through blocks of 256: one of the cases is enough. */
+    for (int k = i == 7 || row[i].d < 1000 ? 0 : 1; k < KIT_SIZES; k++) {
+      check_chunks(row[i].d, row[i].run, kit_block_rows[k], shift, rows, x, status);
     }
-    rot_indices_free(form);
     free(x);
     free(status);
   }
@@ -193,7 +207,7 @@ static answer answer_of(function *f, uint64_t seed, uint64_t points, uint64_t ru
   double *x = malloc(rows * sizeof *x), shift = 3.0;
   answer a;
   for (uint64_t r = 0; r < rows; r++) x[r] = row_value(f, seed, r);
-  rot_indices *form = rot_indices_new(3, 1, &shift, run);
+  rot_indices *form = rot_indices_new(3, 1, &shift, run, 65536);
   rot_indices *s = whole(form, rows, x, NULL, 1, 1);
   ROT_CHECK_EQ_INT(rot_indices_estimate(s, 0, a.first, a.first_se, a.total, a.total_se, &a.info),
                    ROT_OK);
@@ -254,7 +268,7 @@ static void by_hand(void) {
   const double x[] = {1.0, 2.0, 4.0, 5.0, 4.0, 7.0}, shift = 10.0, *column[] = {x};
   double first, first_se, total, total_se;
   rot_indices_info info;
-  rot_indices *s = rot_indices_new(1, 1, &shift, 1);
+  rot_indices *s = rot_indices_new(1, 1, &shift, 1, 65536);
   ROT_CHECK_EQ_INT(rot_indices_add(s, 0, 6, column, NULL), ROT_OK);
   rot_indices_estimate(s, 0, &first, &first_se, &total, &total_se, &info);
   /* variance of 1, 5, 2, 4: mean 3, 10/3; (2 - 4)^2 + (4 - 7)^2 = 13; 3^2 + 2^2 = 13 */
@@ -267,14 +281,14 @@ static void by_hand(void) {
   ROT_CHECK_REL(total_se, 2.5, 1e-14);
   ROT_CHECK_REL(first_se, fabs((9.0 - 4.0) / 2.0), 1e-14);
   rot_indices_free(s);
-  s = rot_indices_new(1, 1, NULL, 2); /* one group: no standard error */
+  s = rot_indices_new(1, 1, NULL, 2, 65536); /* one group: no standard error */
   rot_indices_add(s, 0, 6, column, NULL);
   rot_indices_estimate(s, 0, &first, &first_se, &total, &total_se, &info);
   ROT_CHECK_REL(total, 0.975, 1e-14);
   ROT_CHECK(isnan(total_se) && isnan(first_se));
   ROT_CHECK_EQ_INT(rot_indices_add(s, 0, 6, column, NULL), ROT_EVALUE);
   rot_indices_free(s);
-  s = rot_indices_new(1, 1, NULL, 1);
+  s = rot_indices_new(1, 1, NULL, 1, 65536);
   ROT_CHECK_EQ_INT(rot_indices_add(s, 3, 6, column, NULL), ROT_EVALUE);
   rot_indices_estimate(s, 0, &first, &first_se, &total, &total_se, &info);
   ROT_CHECK(isnan(first) && isnan(total) && isnan(total_se) && isnan(info.variance));
@@ -285,8 +299,11 @@ static void by_hand(void) {
   ROT_CHECK(isnan(first) && isnan(total) && info.variance == 0.0 && info.mean == 2.0);
   rot_indices_free(s);
   const double bad = INFINITY;
-  ROT_CHECK(!rot_indices_new(0, 1, NULL, 1) && !rot_indices_new(65535, 1, NULL, 1));
-  ROT_CHECK(!rot_indices_new(1, 1, NULL, 0) && !rot_indices_new(1, 1, &bad, 1));
+  ROT_CHECK(!rot_indices_new(0, 1, NULL, 1, 256) && !rot_indices_new(65535, 1, NULL, 1, 256));
+  ROT_CHECK(!rot_indices_new(1, 1, NULL, 0, 256) && !rot_indices_new(1, 1, &bad, 1, 256));
+  for (int i = 0; i < KIT_NO_SIZES; i++) {
+    ROT_CHECK(!rot_indices_new(1, 1, NULL, 1, kit_no_block_rows[i]));
+  }
 }
 
 /* The longest base point: a block. */
@@ -294,7 +311,7 @@ static void longest(void) {
   double *x = malloc(65536 * sizeof *x);
   const double *column[] = {x};
   for (int i = 0; i < 65536; i++) x[i] = i;
-  rot_indices *s = rot_indices_new(65534, 1, NULL, 1);
+  rot_indices *s = rot_indices_new(65534, 1, NULL, 1, 65536);
   ROT_CHECK_EQ_INT(rot_indices_add(s, 65536, 65536, column, NULL), ROT_OK);
   ROT_CHECK_EQ_INT(s->column[0].points[1], 1);
   ROT_CHECK(s->column[0].sum[s->terms + 4 + 65533].hi == 65534.0 * 65534.0);
@@ -307,14 +324,14 @@ static void longest(void) {
  * group 6 of 16, then one row. */
 static void known_rows(void) {
   const double x[] = {8.0, NAN, 1.0, 3.0, 7.0, -5.0}, shift = 1.0, *column[] = {x};
-  rot_indices *s = rot_indices_new(1, 1, &shift, 1);
+  rot_indices *s = rot_indices_new(1, 1, &shift, 1, 65536);
   ROT_CHECK_EQ_INT(rot_indices_add(s, 65536, 6, column, NULL), ROT_OK);
-  kit_row want[5 + 18 + 2 * 96 + 3] = {{-1, 100, 0, 65536.0}, {-1, 101, 0, 6.0}, {-1, 102, 0, 1.0},
-                                       {-1, 103, 0, 1.0},     {-1, 104, 0, 1.0}, {0, 110, 0, 1.0},
-                                       {0, 111, 0, 0.0}};
+  kit_row want[6 + 18 + 2 * 96 + 3] = {
+      {-1, 100, 0, 65536.0}, {-1, 101, 0, 6.0},     {-1, 102, 0, 1.0}, {-1, 103, 0, 1.0},
+      {-1, 104, 0, 1.0},     {-1, 105, 0, 65536.0}, {0, 110, 0, 1.0},  {0, 111, 0, 0.0}};
   /* a = 0, b = 2, their squares, (3 - 7)^2, (1 - 7)^2 */
   static const double sums[] = {0.0, 2.0, 0.0, 4.0, 16.0, 36.0};
-  kit_row *row = want + 7;
+  kit_row *row = want + 8;
   for (int g = 0; g < 16; g++) *row++ = (kit_row){0, 112, g, g == 6};
   for (int k = 0; k < 96; k++) *row++ = (kit_row){0, 113, k, k % 16 == 6 ? sums[k / 16] : 0.0};
   for (int k = 0; k < 96; k++) *row++ = (kit_row){0, 114, k, 0.0};
@@ -332,7 +349,8 @@ static void known_rows(void) {
 static void merges(void) {
   enum { N = 3 * 65536 };
   double *x = calloc(N, sizeof *x);
-  rot_indices *form = rot_indices_new(3, 1, NULL, 1), *other = rot_indices_new(3, 1, NULL, 2);
+  rot_indices *form = rot_indices_new(3, 1, NULL, 1, 65536);
+  rot_indices *other = rot_indices_new(3, 1, NULL, 2, 65536);
   rot_indices *a = block_of(form, 0, N, x, NULL), *b = block_of(form, 1, N, x, NULL);
   rot_indices *c = block_of(form, 2, N, x, NULL), *d = block_of(other, 1, N, x, NULL);
   ROT_CHECK_EQ_INT(rot_indices_merge(a, c), ROT_EVALUE);
@@ -350,11 +368,39 @@ static void merges(void) {
   free(x);
 }
 
+/* Blocks of different sizes are not merged, nor read for each other. */
+static void mixed_sizes(void) {
+  double x[512] = {0.0};
+  const double *column[] = {x};
+  rot_indices *a = rot_indices_new(1, 1, NULL, 1, 256), *b = rot_indices_new(1, 1, NULL, 1, 512);
+  rot_indices *back;
+  rot_tree *tree = rot_tree_new(type);
+  ROT_CHECK_EQ_INT(rot_indices_add(a, 0, 257, column, NULL), ROT_EVALUE);
+  ROT_CHECK_EQ_INT(rot_indices_add(a, 0, 256, column, NULL), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_indices_add(b, 256, 256, column, NULL), ROT_EVALUE);
+  ROT_CHECK_EQ_INT(rot_indices_add(b, 512, 256, column, NULL), ROT_OK);
+  b->span.first_row = 256;
+  ROT_CHECK_EQ_INT(rot_indices_merge(a, b), ROT_EVALUE);
+  b->span.first_row = 512;
+  ROT_CHECK_EQ_INT(rot_tree_add(tree, a), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_tree_add(tree, b), ROT_EVALUE);
+  kit_table table = table_of(b);
+  for (int i = 0; i < KIT_NO_SIZES; i++) {
+    table.rows.value[5] = (double)kit_no_block_rows[i];
+    ROT_CHECK_EQ_INT(rot_indices_read(table.n, &table.rows, &back), ROT_EVALUE);
+  }
+  table.rows.value[5] = 1024.0; /* row 512 begins no block */
+  ROT_CHECK_EQ_INT(rot_indices_read(table.n, &table.rows, &back), ROT_EVALUE);
+  kit_table_free(&table);
+  rot_indices_free(b);
+  rot_tree_free(tree);
+}
+
 static void damages(void) {
   uint64_t state = 21;
   double x[70000];
   for (int i = 0; i < 70000; i++) x[i] = kit_uniform(&state);
-  rot_indices *form = rot_indices_new(3, 2, NULL, 1), *back;
+  rot_indices *form = rot_indices_new(3, 2, NULL, 1, 65536), *back;
   rot_indices *s = block_of(form, 1, 70000, x, NULL);
   kit_table table = table_of(s);
   long refused = 0;
@@ -377,7 +423,7 @@ static void damages(void) {
   printf("indices: %ld of 10000 damages refused\n", refused);
   ROT_CHECK(refused > 7000);
   for (size_t i = 0; i < table.n; i++) {
-    if (table.rows.kind[i] != ROT_KIND_INDEX_POINTS && table.rows.kind[i] >= 105) continue;
+    if (table.rows.kind[i] != ROT_KIND_INDEX_POINTS && table.rows.kind[i] > 105) continue;
     const double old = table.rows.value[i];
     table.rows.value[i] = table.rows.kind[i] == ROT_KIND_INDEX_RUN ? 0.0 : old + 1.0;
     ROT_CHECK_EQ_INT(rot_indices_read(table.n, &table.rows, &back), ROT_EVALUE);
@@ -396,6 +442,7 @@ int main(void) {
   longest();
   known_rows();
   merges();
+  mixed_sizes();
   damages();
   return rot_test_report("indices");
 }

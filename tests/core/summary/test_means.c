@@ -13,18 +13,17 @@ static kit_table table_of(const rot_means *m) {
 }
 
 static rot_means *whole(size_t replicates, uint64_t run, uint64_t rows, const double x[],
-                        const int status[], uint64_t size) {
-  const uint64_t blocks = rot_stretch_blocks((rot_stretch){0, rows});
+                        const int status[], uint64_t size, uint64_t block_rows) {
+  const uint64_t blocks = rot_stretch_blocks((rot_stretch){0, rows, block_rows});
   rot_tree *tree = rot_tree_new(type), *part = rot_tree_new(type);
   void *node = NULL;
   for (uint64_t chunk = (blocks + size - 1) / size; chunk-- > 0;) {
     for (uint64_t b = chunk * size; b < (chunk + 1) * size && b < blocks; b++) {
-      const uint64_t first = b * ROT_BLOCK_ROWS, left = rows - first;
+      const uint64_t first = b * block_rows, left = rows - first;
       const double *column[] = {x + first, x + first};
-      rot_means *m = rot_means_new(2, replicates, run);
-      ROT_CHECK_EQ_INT(rot_means_add(m, first,
-                                     left < ROT_BLOCK_ROWS ? (size_t)left : ROT_BLOCK_ROWS, column,
-                                     status + first),
+      rot_means *m = rot_means_new(2, replicates, run, block_rows);
+      ROT_CHECK_EQ_INT(rot_means_add(m, first, left < block_rows ? (size_t)left : block_rows,
+                                     column, status + first),
                        ROT_OK);
       ROT_CHECK_EQ_INT(rot_tree_add(part, m), ROT_OK);
     }
@@ -63,7 +62,7 @@ static void groups(void) {
       if (kit_below(&state, 500) == 0) x[r] = kit_below(&state, 2) ? NAN : INFINITY;
       status[r] = kit_below(&state, 400) == 0;
     }
-    rot_means *m = whole(row[i].replicates, row[i].run, rows, x, status, 1);
+    rot_means *m = whole(row[i].replicates, row[i].run, rows, x, status, 1, 65536);
     double *sum = calloc(row[i].replicates, sizeof *sum), all = 0.0, mean, se;
     uint64_t *count = calloc(row[i].replicates, sizeof *count), n = 0;
     for (uint64_t r = 0; r < rows; r++) {
@@ -82,12 +81,21 @@ static void groups(void) {
     ROT_CHECK_ULP(mean, all / (double)n, 0);
     ROT_CHECK(row[i].replicates == 1 || i == 6 ? isnan(se) : se > 0.0);
     kit_table table = table_of(m);
-    for (uint64_t size = 2; size <= 8; size *= 2) {
-      rot_means *other = whole(row[i].replicates, row[i].run, rows, x, status, size);
-      kit_table again = table_of(other);
-      ROT_CHECK(kit_same(&table, &again));
-      kit_table_free(&again);
-      rot_means_free(other);
+    /* Sums are exact: blocks of other sizes give the same numbers, but for the size. */
+    for (uint64_t size = 2; size <= 32; size *= 4) {
+      for (int k = 0; k < KIT_SIZES; k++) {
+        /* Many groups of many blocks take some seconds. */
+        if (row[i].replicates > 1000 && k < 2 && size < 32) continue;
+        rot_means *other =
+            whole(row[i].replicates, row[i].run, rows, x, status, size, kit_block_rows[k]);
+        kit_table again = table_of(other);
+        ROT_CHECK(again.rows.kind[5] == ROT_KIND_MEAN_BLOCK_ROWS);
+        ROT_CHECK(again.rows.value[5] == (double)kit_block_rows[k]);
+        again.rows.value[5] = 65536.0;
+        ROT_CHECK(kit_same(&table, &again));
+        kit_table_free(&again);
+        rot_means_free(other);
+      }
     }
     kit_table_free(&table);
     rot_means_free(m);
@@ -102,41 +110,92 @@ static void groups(void) {
 static void by_hand(void) {
   const double x[] = {1.0, 3.0, 2.0, 6.0, 4.0}, *column[] = {x};
   double mean, se;
-  rot_means *m = rot_means_new(1, 16, 2);
+  rot_means *m = rot_means_new(1, 16, 2, 65536);
   ROT_CHECK_EQ_INT(rot_means_add(m, 0, 4, column, NULL), ROT_OK);
   rot_means_estimate(m, 0, &mean, &se);
   ROT_CHECK_ULP(mean, 3.0, 0);
   ROT_CHECK_REL(se, 1.0, 1e-15); /* standard deviation of 2 and 4 over sqrt(2) */
   ROT_CHECK_EQ_INT(rot_means_add(m, 0, 4, column, NULL), ROT_EVALUE);
   rot_means_free(m);
-  m = rot_means_new(1, 2, 2); /* the fifth in group 0: 8/3 and 4 */
+  m = rot_means_new(1, 2, 2, 65536); /* the fifth in group 0: 8/3 and 4 */
   ROT_CHECK_EQ_INT(rot_means_add(m, 0, 5, column, NULL), ROT_OK);
   rot_means_estimate(m, 0, &mean, &se);
   ROT_CHECK_ULP(mean, 3.2, 0);
   ROT_CHECK_REL(se, 2.0 / 3.0, 1e-14);
   rot_means_free(m);
-  m = rot_means_new(1, 4, 1);
+  m = rot_means_new(1, 4, 1, 65536);
   rot_means_estimate(m, 0, &mean, &se);
   ROT_CHECK(isnan(mean) && isnan(se));
   ROT_CHECK_EQ_INT(rot_means_add(m, 2, 4, column, NULL), ROT_EVALUE);
   rot_means_free(m);
-  ROT_CHECK(!rot_means_new(1, 0, 1) && !rot_means_new(1, 4097, 1) && !rot_means_new(1, 1, 0));
-  ROT_CHECK(!rot_means_new(SIZE_MAX / 2, 16, 1));
+  ROT_CHECK(!rot_means_new(1, 0, 1, 256) && !rot_means_new(1, 4097, 1, 256));
+  ROT_CHECK(!rot_means_new(1, 1, 0, 256) && !rot_means_new(SIZE_MAX / 2, 16, 1, 256));
+  for (int i = 0; i < KIT_NO_SIZES; i++) ROT_CHECK(!rot_means_new(1, 1, 1, kit_no_block_rows[i]));
 }
 
 /* The numbers that files keep. */
 static void known_rows(void) {
   const double x[] = {0x1p60, 1.0, 2.0, 6.0, 4.0, 7.0}, *column[] = {x};
-  static const kit_row want[] = {{-1, 200, 0, 131072.0}, {-1, 201, 0, 6.0},   {-1, 202, 0, 1.0},
-                                 {-1, 203, 0, 2.0},      {-1, 204, 0, 4.0},   {0, 210, 0, 4.0},
-                                 {0, 210, 1, 2.0},       {0, 211, 0, 0x1p60}, {0, 211, 1, 11.0},
-                                 {0, 212, 0, 9.0},       {0, 212, 1, 0.0}};
-  rot_means *m = rot_means_new(1, 2, 4);
+  static const kit_row want[] = {{-1, 200, 0, 131072.0}, {-1, 201, 0, 6.0}, {-1, 202, 0, 1.0},
+                                 {-1, 203, 0, 2.0},      {-1, 204, 0, 4.0}, {-1, 205, 0, 4096.0},
+                                 {0, 210, 0, 4.0},       {0, 210, 1, 2.0},  {0, 211, 0, 0x1p60},
+                                 {0, 211, 1, 11.0},      {0, 212, 0, 9.0},  {0, 212, 1, 0.0}};
+  rot_means *m = rot_means_new(1, 2, 4, 4096);
   ROT_CHECK_EQ_INT(rot_means_add(m, 131072, 6, column, NULL), ROT_OK);
   kit_table table = table_of(m);
   ROT_CHECK(kit_is(&table, sizeof want / sizeof want[0], want));
   kit_table_free(&table);
   rot_means_free(m);
+}
+
+/* Rounded sums: bits for each size of blocks, whatever the chunks. */
+static void any_chunks(void) {
+  enum { N = 70001 };
+  double *x = malloc(N * sizeof *x);
+  int *status = calloc(N, sizeof *status);
+  uint64_t state = 31;
+  char seen[KIT_SIZES][ROT_HASH_SIZE], got[ROT_HASH_SIZE];
+  for (int i = 0; i < N; i++) x[i] = 1e6 * kit_uniform(&state) * kit_uniform(&state);
+  for (int k = 0; k < KIT_SIZES; k++) {
+    for (uint64_t size = 1; size <= 64; size *= 2) {
+      rot_means *m = whole(3, 5, N, x, status, size, kit_block_rows[k]);
+      kit_table table = table_of(m);
+      kit_hash(&table, size == 1 ? seen[k] : got);
+      ROT_CHECK(size == 1 || strcmp(seen[k], got) == 0);
+      kit_table_free(&table);
+      rot_means_free(m);
+    }
+    for (int j = 0; j < k; j++) ROT_CHECK(strcmp(seen[j], seen[k]) != 0);
+  }
+  free(x);
+  free(status);
+}
+
+/* Blocks of different sizes are not merged, nor read for each other. */
+static void mixed_sizes(void) {
+  double x[512] = {0.0};
+  const double *column[] = {x};
+  rot_means *a = rot_means_new(1, 4, 1, 256), *b = rot_means_new(1, 4, 1, 512), *back;
+  rot_tree *tree = rot_tree_new(type);
+  ROT_CHECK_EQ_INT(rot_means_add(a, 0, 257, column, NULL), ROT_EVALUE);
+  ROT_CHECK_EQ_INT(rot_means_add(a, 0, 256, column, NULL), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_means_add(b, 256, 256, column, NULL), ROT_EVALUE);
+  ROT_CHECK_EQ_INT(rot_means_add(b, 512, 256, column, NULL), ROT_OK);
+  b->span.first_row = 256;
+  ROT_CHECK_EQ_INT(rot_means_merge(a, b), ROT_EVALUE);
+  b->span.first_row = 512;
+  ROT_CHECK_EQ_INT(rot_tree_add(tree, a), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_tree_add(tree, b), ROT_EVALUE);
+  kit_table table = table_of(b);
+  for (int i = 0; i < KIT_NO_SIZES; i++) {
+    table.rows.value[5] = (double)kit_no_block_rows[i];
+    ROT_CHECK_EQ_INT(rot_means_read(table.n, &table.rows, &back), ROT_EVALUE);
+  }
+  table.rows.value[5] = 1024.0; /* row 512 begins no block */
+  ROT_CHECK_EQ_INT(rot_means_read(table.n, &table.rows, &back), ROT_EVALUE);
+  kit_table_free(&table);
+  rot_means_free(b);
+  rot_tree_free(tree);
 }
 
 /* Independent normal values: (mean/se)^2 has the mean 15/13 of Student's t. */
@@ -148,7 +207,7 @@ static void coverage(void) {
   double *x = malloc(3200 * sizeof *x), mean, se;
   for (int t = 0; t < trials; t++) {
     for (int i = 0; i < 3200; i++) x[i] = kit_normal(&state);
-    rot_means *m = whole(16, t % 2 ? 1 : 200, 3200, x, status, 1);
+    rot_means *m = whole(16, t % 2 ? 1 : 200, 3200, x, status, 1, t % 3 ? 65536 : 256);
     rot_means_estimate(m, 0, &mean, &se);
     squares += mean * mean / (se * se) / trials;
     rot_means_free(m);
@@ -164,7 +223,7 @@ static void damages(void) {
   int status[300] = {0};
   long refused = 0;
   for (int i = 0; i < 300; i++) x[i] = kit_uniform(&state);
-  rot_means *m = whole(16, 1, 300, x, status, 1), *back;
+  rot_means *m = whole(16, 1, 300, x, status, 1, 4096), *back;
   const kit_table table = table_of(m);
   for (int i = 0; i < 10000; i++) {
     kit_table damaged;
@@ -192,6 +251,8 @@ int main(void) {
   by_hand();
   known_rows();
   groups();
+  any_chunks();
+  mixed_sizes();
   coverage();
   damages();
   return rot_test_report("means");

@@ -21,7 +21,7 @@ static kit_table table_of(const rot_summary *s) {
 static rot_summary *of_column(size_t n, const double x[], const int status[], double shift) {
   const double *column[] = {x};
   const rot_summary_block block = {0, n, column, status, NULL, 0.0, 0};
-  rot_summary *s = rot_summary_new(1, &shift);
+  rot_summary *s = rot_summary_new(1, &shift, 65536);
   ROT_CHECK_EQ_INT(rot_summary_add(s, &block), ROT_OK);
   return s;
 }
@@ -36,7 +36,7 @@ static void small_block(void) {
   const double *column[] = {x, y}, shift[] = {1.0, -1.0};
   const rot_summary_block block = {5 * 65536, 11, column, status, error, 2e-9, 4};
   const uint64_t first = 5 * 65536;
-  rot_summary *s = rot_summary_new(2, shift);
+  rot_summary *s = rot_summary_new(2, shift, 65536);
   ROT_CHECK_EQ_INT(rot_summary_add(s, &block), ROT_OK);
   const rot_summary_column *c = &s->column[0];
   ROT_CHECK_EQ_INT(c->finite, 5);
@@ -94,7 +94,7 @@ static void refused_blocks(void) {
   const double x[] = {1.0, 2.0}, *column[] = {x}, bad = NAN;
   int status[] = {0, 32};
   rot_summary_block block = {0, 2, column, status, NULL, 0.0, 0};
-  rot_summary *s = rot_summary_new(1, NULL);
+  rot_summary *s = rot_summary_new(1, NULL, 65536);
   ROT_CHECK_EQ_INT(rot_summary_add(s, &block), ROT_EVALUE);
   status[1] = -1;
   ROT_CHECK_EQ_INT(rot_summary_add(s, &block), ROT_EVALUE);
@@ -122,7 +122,10 @@ static void refused_blocks(void) {
   ROT_CHECK_EQ_INT(rot_summary_quantile(s, 0, 1.1, &low, &high), ROT_EVALUE);
   ROT_CHECK_EQ_INT(rot_summary_quantile(s, 0, NAN, &low, &high), ROT_EVALUE);
   ROT_CHECK(isnan(low) && isnan(high));
-  ROT_CHECK(rot_summary_new(1, &bad) == NULL);
+  ROT_CHECK(rot_summary_new(1, &bad, 65536) == NULL);
+  for (int i = 0; i < KIT_NO_SIZES; i++) {
+    ROT_CHECK(rot_summary_new(1, NULL, kit_no_block_rows[i]) == NULL);
+  }
   rot_summary_clear(s);
   ROT_CHECK_EQ_INT(rot_summary_add(s, &block), ROT_OK);
   rot_summary_free(s);
@@ -267,9 +270,9 @@ static double error_of(uint64_t row) {
   return row % 30011 == 3 ? NAN : 1e-9 * kit_uniform(&state);
 }
 
-static rot_summary *block_of(uint64_t block, uint64_t rows) {
-  const uint64_t first = block * ROT_BLOCK_ROWS;
-  const size_t n = rows - first < ROT_BLOCK_ROWS ? (size_t)(rows - first) : ROT_BLOCK_ROWS;
+static rot_summary *block_of(uint64_t block, uint64_t rows, uint64_t block_rows) {
+  const uint64_t first = block * block_rows;
+  const size_t n = (size_t)(rows - first < block_rows ? rows - first : block_rows);
   double *x = malloc((COLUMNS + 1) * n * sizeof *x);
   int *status = malloc(n * sizeof *status);
   const double *column[COLUMNS];
@@ -284,7 +287,7 @@ static rot_summary *block_of(uint64_t block, uint64_t rows) {
     kept += x[n + i] > 10.0;
   }
   const rot_summary_block in = {first, n, column, status, x + COLUMNS * n, 9e-10, kept};
-  rot_summary *s = rot_summary_new(COLUMNS, shifts);
+  rot_summary *s = rot_summary_new(COLUMNS, shifts, block_rows);
   ROT_CHECK_EQ_INT(rot_summary_add(s, &in), ROT_OK);
   free(status);
   free(x);
@@ -308,7 +311,8 @@ static rot_summary *in_chunks(uint64_t blocks, rot_summary *const block[], uint6
                               uint64_t turn) {
   rot_tree *tree = rot_tree_new(type), *part = rot_tree_new(type);
   void *node = NULL;
-  const uint64_t places = 64;
+  uint64_t places = 64;
+  while (places * size < blocks) places *= 2;
   for (uint64_t i = 0; i < places; i++) {
     const uint64_t chunk = i * turn % places;
     if (chunk * size >= blocks) continue;
@@ -391,47 +395,189 @@ static void check_against_loops(const rot_summary *s, uint64_t rows) {
   }
 }
 
-static void any_chunks(void) {
-  static const uint64_t row_counts[] = {1,          65535,         65536, 65537, 5 * 65536 + 77,
-                                        19 * 65536, 22 * 65536 - 1};
-  const size_t last = getenv("ROTDYN_LONG") || rot_test_trials(16) > 1 ? 7 : 5;
-  for (size_t i = 0; i < last; i++) {
-    const uint64_t rows = row_counts[i], blocks = rot_stretch_blocks((rot_stretch){0, rows});
-    rot_summary *block[22];
-    char want[ROT_HASH_SIZE], got[ROT_HASH_SIZE];
-    for (uint64_t b = 0; b < blocks; b++) block[b] = block_of(b, rows);
-    for (uint64_t size = 1; size <= 64; size *= 4) {
-      for (uint64_t turn = 1; turn <= 27; turn += 26) {
-        rot_summary *s = in_chunks(blocks, block, size, turn);
-        kit_table table = table_of(s);
-        kit_hash(&table, got);
-        if (size == 1 && turn == 1) {
-          memcpy(want, got, sizeof want);
-          check_against_loops(s, rows);
-        }
-        ROT_CHECK(strcmp(want, got) == 0);
-        kit_table_free(&table);
-        rot_summary_free(s);
+/* All bits for any chunks of blocks of one size => their hash */
+static void check_chunks(uint64_t rows, uint64_t block_rows, char want[ROT_HASH_SIZE]) {
+  const uint64_t blocks = rot_stretch_blocks((rot_stretch){0, rows, block_rows});
+  rot_summary **block = malloc(blocks * sizeof(rot_summary *));
+  char got[ROT_HASH_SIZE];
+  for (uint64_t b = 0; b < blocks; b++) block[b] = block_of(b, rows, block_rows);
+  for (uint64_t size = 1; size <= 64; size *= 4) {
+    for (uint64_t turn = 1; turn <= 27; turn += 26) {
+      rot_summary *s = in_chunks(blocks, block, size, turn);
+      kit_table table = table_of(s);
+      kit_hash(&table, got);
+      if (size == 1 && turn == 1) {
+        memcpy(want, got, sizeof got);
+        check_against_loops(s, rows);
       }
+      ROT_CHECK(strcmp(want, got) == 0);
+      kit_table_free(&table);
+      rot_summary_free(s);
     }
-    for (uint64_t b = 0; b < blocks; b++) rot_summary_free(block[b]);
   }
+  /* Blocks as they come from rot_summary_add(), their values not counted yet. */
+  rot_tree *tree = rot_tree_new(type);
+  void *node = NULL;
+  for (uint64_t b = blocks; b-- > 0;) {
+    ROT_CHECK_EQ_INT(rot_tree_add(tree, block_of(b, rows, block_rows)), ROT_OK);
+  }
+  ROT_CHECK_EQ_INT(rot_tree_finish(tree, &node), ROT_OK);
+  rot_summary *s = node;
+  for (int k = 0; k < COLUMNS; k++) ROT_CHECK(s->column[k].buckets.later == NULL);
+  kit_table table = table_of(s);
+  kit_hash(&table, got);
+  ROT_CHECK(strcmp(want, got) == 0);
+  kit_table_free(&table);
+  rot_summary_free(s);
+  rot_tree_free(tree);
+  for (uint64_t b = 0; b < blocks; b++) rot_summary_free(block[b]);
+  free(block);
+}
+
+static void any_chunks(void) {
+  static const uint64_t row_counts[] = {
+      1, 300, 65535, 65536, 65537, 5 * 65536 + 77, 19 * 65536, 22 * 65536 - 1};
+  const size_t last = getenv("ROTDYN_LONG") || rot_test_trials(16) > 1 ? 8 : 6;
+  for (size_t i = 0; i < last; i++) {
+    char hash[KIT_SIZES][ROT_HASH_SIZE];
+    for (int k = 0; k < KIT_SIZES; k++) {
+      if (kit_block_rows[k] == 256 && i > 5) continue; /* some seconds */
+      check_chunks(row_counts[i], kit_block_rows[k], hash[k]);
+    }
+  }
+}
+
+static rot_summary *of_values(uint64_t block_rows, uint64_t first, size_t n, const double x[]) {
+  const double *column[] = {x};
+  const rot_summary_block block = {first, n, column, NULL, NULL, 0.0, 0};
+  rot_summary *s = rot_summary_new(1, NULL, block_rows);
+  ROT_CHECK_EQ_INT(rot_summary_add(s, &block), ROT_OK);
+  return s;
+}
+
+/* Values of a small block are counted when they are asked for, and once. */
+static void counted_later(void) {
+  double x[512], low, high, limits[512], count[512];
+  uint64_t state = 41;
+  for (int i = 0; i < 512; i++) x[i] = i % 9 ? kit_normal(&state) : i % 2 ? -0x1p-1060 * i : 0.0;
+  rot_summary *large = of_values(65536, 0, 512, x);
+  for (int how = 0; how < 6; how++) {
+    rot_summary *s = of_values(512, 0, how == 4 ? 300 : 512, x), *more, *back;
+    ROT_CHECK(s->column[0].buckets.later && s->column[0].buckets.n == 0);
+    kit_table table;
+    switch (how) {
+    case 0: ROT_CHECK_EQ_INT(rot_summary_count(s), ROT_OK); break;
+    case 1: rot_summary_quantile(s, 0, 0.5, &low, &high); break;
+    case 2: ROT_CHECK(rot_summary_rows_size(s) > 0); break;
+    case 3: /* through the long form */
+      table = table_of(s);
+      ROT_CHECK_EQ_INT(rot_summary_read(table.n, &table.rows, &back), ROT_OK);
+      rot_summary_free(s);
+      s = back;
+      kit_table_free(&table);
+      break;
+    case 4: /* emptied, filled again */
+      rot_summary_clear(s);
+      ROT_CHECK_EQ_INT(s->span.block_rows, 512);
+      rot_summary_free(s);
+      s = of_values(512, 0, 512, x);
+      ROT_CHECK_EQ_INT(rot_summary_count(s), ROT_OK);
+      ROT_CHECK_EQ_INT(rot_summary_count(s), ROT_OK);
+      break;
+    default:
+      rot_summary_free(s);
+      s = of_values(256, 0, 256, x);
+      more = of_values(256, 256, 256, x + 256);
+      ROT_CHECK_EQ_INT(rot_summary_merge(s, more), ROT_OK);
+      rot_summary_free(more);
+      break;
+    }
+    const rot_buckets *a = &s->column[0].buckets, *b = &large->column[0].buckets;
+    ROT_CHECK(a->later == NULL && a->n == b->n);
+    for (size_t i = 0; i < a->n; i++) {
+      ROT_CHECK(a->at[i].bucket == b->at[i].bucket && a->at[i].count == b->at[i].count);
+    }
+    rot_summary_buckets(s, 0, limits, NULL, count);
+    ROT_CHECK(limits[0] <= s->column[0].minimum);
+    rot_summary_free(s);
+  }
+  rot_summary_free(large);
+}
+
+/* A part that is counted among others that are not; more than 2^16 rows. */
+static void mixed_parts(void) {
+  enum { N = 65536 + 4096 + 300 };
+  char want[ROT_HASH_SIZE], got[ROT_HASH_SIZE];
+  for (int how = 0; how < 3; how++) {
+    rot_tree *tree = rot_tree_new(type);
+    void *node = NULL;
+    for (uint64_t b = 0; b * 256 < N; b++) {
+      rot_summary *s = block_of(b, N, 256);
+      if (how == 1 ? b % 3 == 0 : how == 2 && b % 2 == 0) {
+        ROT_CHECK_EQ_INT(rot_summary_count(s), ROT_OK);
+      }
+      ROT_CHECK_EQ_INT(rot_tree_add(tree, s), ROT_OK);
+    }
+    ROT_CHECK_EQ_INT(rot_tree_finish(tree, &node), ROT_OK);
+    rot_tree_free(tree);
+    kit_table table = table_of(node);
+    kit_hash(&table, how ? got : want);
+    ROT_CHECK(how == 0 || strcmp(want, got) == 0);
+    kit_table_free(&table);
+    rot_summary_free(node);
+  }
+}
+
+/* Blocks of different sizes are not merged, nor read for each other. */
+static void mixed_sizes(void) {
+  double x[512] = {0.0};
+  const double *column[] = {x};
+  rot_summary *a = of_values(256, 0, 256, x), *b = of_values(512, 512, 256, x), *back;
+  rot_summary *empty = rot_summary_new(1, NULL, 256);
+  rot_summary_block block = {0, 257, column, NULL, NULL, 0.0, 0};
+  ROT_CHECK_EQ_INT(rot_summary_add(empty, &block), ROT_EVALUE);
+  block.first_row = 128;
+  block.n = 128;
+  ROT_CHECK_EQ_INT(rot_summary_add(empty, &block), ROT_EVALUE);
+  rot_summary_free(empty);
+  rot_tree *tree = rot_tree_new(type);
+  b->span.first_row = 256;
+  ROT_CHECK_EQ_INT(rot_summary_merge(a, b), ROT_EVALUE);
+  ROT_CHECK_EQ_INT(type->merge(a, b), ROT_EVALUE);
+  b->span.first_row = 512;
+  ROT_CHECK_EQ_INT(rot_tree_add(tree, a), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_tree_add(tree, b), ROT_EVALUE);
+  kit_table table = table_of(b);
+  size_t i = 0;
+  while (table.rows.kind[i] != ROT_KIND_BLOCK_ROWS) i++;
+  for (int k = 0; k < KIT_NO_SIZES; k++) {
+    table.rows.value[i] = (double)kit_no_block_rows[k];
+    ROT_CHECK_EQ_INT(rot_summary_read(table.n, &table.rows, &back), ROT_EVALUE);
+  }
+  table.rows.value[i] = 1024.0; /* row 512 begins no block */
+  ROT_CHECK_EQ_INT(rot_summary_read(table.n, &table.rows, &back), ROT_EVALUE);
+  table.rows.value[i] = 256.0; /* a block of another sweep */
+  ROT_CHECK_EQ_INT(rot_summary_read(table.n, &table.rows, &back), ROT_OK);
+  rot_summary_free(back);
+  kit_table_free(&table);
+  rot_summary_free(b);
+  rot_tree_free(tree);
 }
 
 /* Blocks made by two threads in the order in which they come. */
 typedef struct job {
-  uint64_t rows;
+  uint64_t rows, block_rows;
   rot_summary **block;
 } job;
 
 static void work(const void *frame, size_t first, size_t last) {
   const job *j = frame;
-  for (size_t b = first; b < last; b++) j->block[b] = block_of(b, j->rows);
+  for (size_t b = first; b < last; b++) j->block[b] = block_of(b, j->rows, j->block_rows);
 }
 
-static void merges(void) {
-  rot_summary *block[4], *other = rot_summary_new(COLUMNS, NULL);
-  const job j = {4 * 65536, block};
+static void merges(uint64_t block_rows) {
+  rot_summary *block[4], *other = rot_summary_new(COLUMNS, NULL, block_rows);
+  const job j = {4 * block_rows, block_rows, block};
   rot_info info;
   ROT_CHECK_EQ_INT(rot_parallel_rows(work, &j, 4, 1, 2, NULL, &info), ROT_OK);
   kit_table before = table_of(block[0]), after;
@@ -446,7 +592,7 @@ static void merges(void) {
   kit_table_free(&before);
   kit_table_free(&after);
   ROT_CHECK_EQ_INT(rot_summary_merge(block[0], block[1]), ROT_OK);
-  ROT_CHECK_EQ_INT(block[0]->span.rows, 2 * 65536);
+  ROT_CHECK_EQ_INT(block[0]->span.rows, 2 * block_rows);
   for (int b = 0; b < 4; b++) rot_summary_free(block[b]);
   rot_summary_free(other);
 }
@@ -531,7 +677,10 @@ static void kinds(void) {
   ROT_CHECK(strcmp(rot_kind_name(ROT_KIND_BUCKET), "bucket") == 0);
   ROT_CHECK(strcmp(rot_kind_name(0), "first_row") == 0);
   ROT_CHECK(strcmp(rot_kind_name(212), "mean_sum_low") == 0);
-  ROT_CHECK(rot_kind_name(9) == NULL && rot_kind_name(-1) == NULL && rot_kind_name(300) == NULL);
+  ROT_CHECK(strcmp(rot_kind_name(9), "block_rows") == 0);
+  ROT_CHECK(strcmp(rot_kind_name(105), "index_block_rows") == 0);
+  ROT_CHECK(strcmp(rot_kind_name(205), "mean_block_rows") == 0);
+  ROT_CHECK(rot_kind_name(22) == NULL && rot_kind_name(-1) == NULL && rot_kind_name(300) == NULL);
 }
 
 /* The numbers that files keep: 65536 and on: 3, NaN, -Inf, 0x1p60, failed, 1, Inf, 1. */
@@ -540,31 +689,17 @@ static void known_rows(void) {
   const double error[] = {0.5, 3.0, NAN, 1.0, 9.0, 3.0, 0.0, 0.0}, shift = 2.0;
   const int status[] = {0, 0, 0, 0, 6, 0, 0, 0};
   const rot_summary_block block = {65536, 8, column, status, error, 1.0, 2};
-  static const kit_row want[] = {{-1, 0, 0, 65536.0},
-                                 {-1, 1, 0, 8.0},
-                                 {-1, 2, 0, 1.0},
-                                 {-1, 3, 0, 2.0},
-                                 {-1, 4, 0, 7.0},
-                                 {-1, 4, 6, 1.0},
-                                 {-1, 5, 65540, 6.0},
-                                 {-1, 6, 0, 3.0},
-                                 {-1, 7, 0, 1.0},
-                                 {-1, 8, 65537, 3.0},
-                                 {0, 10, 0, 2.0},
-                                 {0, 11, 0, 4.0},
-                                 {0, 12, 65537, 1.0},
-                                 {0, 13, 65542, 1.0},
-                                 {0, 14, 65538, 1.0},
-                                 {0, 15, 0, 0x1p60},
-                                 {0, 16, 0, 5.0},
-                                 {0, 17, 0, 0x1p120},
-                                 {0, 18, 0, 3.0},
-                                 {0, 19, 65541, 1.0},
-                                 {0, 20, 65539, 0x1p60},
-                                 {0, 21, 256 * 1075, 2.0},
-                                 {0, 21, 256 * 1076 + 128, 1.0},
-                                 {0, 21, 256 * 1135, 1.0}};
-  rot_summary *s = rot_summary_new(1, &shift), *back;
+  static const kit_row want[] = {
+      {-1, 0, 0, 65536.0},     {-1, 1, 0, 8.0},          {-1, 2, 0, 1.0},
+      {-1, 3, 0, 2.0},         {-1, 4, 0, 7.0},          {-1, 4, 6, 1.0},
+      {-1, 5, 65540, 6.0},     {-1, 6, 0, 3.0},          {-1, 7, 0, 1.0},
+      {-1, 8, 65537, 3.0},     {-1, 9, 0, 65536.0},      {0, 10, 0, 2.0},
+      {0, 11, 0, 4.0},         {0, 12, 65537, 1.0},      {0, 13, 65542, 1.0},
+      {0, 14, 65538, 1.0},     {0, 15, 0, 0x1p60},       {0, 16, 0, 5.0},
+      {0, 17, 0, 0x1p120},     {0, 18, 0, 3.0},          {0, 19, 65541, 1.0},
+      {0, 20, 65539, 0x1p60},  {0, 21, 256 * 1075, 2.0}, {0, 21, 256 * 1076 + 128, 1.0},
+      {0, 21, 256 * 1135, 1.0}};
+  rot_summary *s = rot_summary_new(1, &shift, 65536), *back;
   ROT_CHECK_EQ_INT(rot_summary_add(s, &block), ROT_OK);
   kit_table table = table_of(s);
   ROT_CHECK(kit_is(&table, sizeof want / sizeof want[0], want));
@@ -602,7 +737,9 @@ static void damages(void) {
   for (int i = 0; i < 3; i++) {
     const double x[] = {1.0, NAN, -3.0, INFINITY, 8.0, 1.5, -INFINITY, 0.0};
     const int status[] = {0, 0, 0, 0, 4, 0, 0, 7};
-    s[i] = i == 0 ? block_of(0, 300) : i == 1 ? block_of(3, 4 * 65536) : of_column(8, x, status, 0);
+    s[i] = i == 0   ? block_of(0, 300, 4096)
+           : i == 1 ? block_of(3, 4 * 65536, 65536)
+                    : of_column(8, x, status, 0);
     table[i] = table_of(s[i]);
   }
   /* All cases also under the sanitizers: a short form takes no time. */
@@ -644,20 +781,41 @@ static void known_damages(void) {
     int kind;
     double value;
     int64_t key;
-  } row[] = {{ROT_KIND_FIRST_ROW, 1.0, 0},   {ROT_KIND_ROWS, 0.0, 0},
-             {ROT_KIND_ROWS, 6.0, 0},        {ROT_KIND_COLUMNS, 2.0, 0},
-             {ROT_KIND_COLUMNS, 1e9, 0},     {ROT_KIND_KEPT, 6.0, 0},
-             {ROT_KIND_KEPT, -1.0, 0},       {ROT_KIND_KEPT, 0.5, 0},
-             {ROT_KIND_KEPT, -0.0, 0},       {ROT_KIND_FAILED, 5.0, 3},
-             {ROT_KIND_FAILED, 4.0, 5},      {ROT_KIND_FAILED, 0.0, 3},
-             {ROT_KIND_SHIFT, NAN, 0},       {ROT_KIND_FINITE, 4.0, 0},
-             {ROT_KIND_FINITE, 2.0, 0},      {ROT_KIND_NAN, 1.0, 5},
-             {ROT_KIND_NAN, 0.0, 1},         {ROT_KIND_NAN, 1.0, -1},
-             {ROT_KIND_SUM_LOW, 1.0, 0},     {ROT_KIND_SQUARES, -1.0, 0},
-             {ROT_KIND_MINIMUM, -9.0, 2},    {ROT_KIND_MINIMUM, INFINITY, 2},
-             {ROT_KIND_MAXIMUM, 1.5, 5},     {ROT_KIND_MAXIMUM, 9.0, 4},
-             {ROT_KIND_BUCKET, 1.0, 1},      {ROT_KIND_BUCKET, 2.0, -275584},
-             {ROT_KIND_ERROR_ABOVE, 5.0, 0}, {ROT_KIND_ERROR_UNKNOWN, 1.0, 0}};
+  } row[] = {{ROT_KIND_FIRST_ROW, 1.0, 0},
+             {ROT_KIND_ROWS, 0.0, 0},
+             {ROT_KIND_ROWS, 6.0, 0},
+             {ROT_KIND_COLUMNS, 2.0, 0},
+             {ROT_KIND_COLUMNS, 1e9, 0},
+             {ROT_KIND_KEPT, 6.0, 0},
+             {ROT_KIND_KEPT, -1.0, 0},
+             {ROT_KIND_KEPT, 0.5, 0},
+             {ROT_KIND_KEPT, -0.0, 0},
+             {ROT_KIND_FAILED, 5.0, 3},
+             {ROT_KIND_FAILED, 4.0, 5},
+             {ROT_KIND_FAILED, 0.0, 3},
+             {ROT_KIND_SHIFT, NAN, 0},
+             {ROT_KIND_FINITE, 4.0, 0},
+             {ROT_KIND_FINITE, 2.0, 0},
+             {ROT_KIND_NAN, 1.0, 5},
+             {ROT_KIND_NAN, 0.0, 1},
+             {ROT_KIND_NAN, 1.0, -1},
+             {ROT_KIND_SUM_LOW, 1.0, 0},
+             {ROT_KIND_SQUARES, -1.0, 0},
+             {ROT_KIND_MINIMUM, -9.0, 2},
+             {ROT_KIND_MINIMUM, INFINITY, 2},
+             {ROT_KIND_MAXIMUM, 1.5, 5},
+             {ROT_KIND_MAXIMUM, 9.0, 4},
+             {ROT_KIND_BUCKET, 1.0, 1},
+             {ROT_KIND_BUCKET, 2.0, -275584},
+             {ROT_KIND_ERROR_ABOVE, 5.0, 0},
+             {ROT_KIND_ERROR_UNKNOWN, 1.0, 0},
+             {ROT_KIND_BLOCK_ROWS, 0.0, 0},
+             {ROT_KIND_BLOCK_ROWS, 128.0, 0},
+             {ROT_KIND_BLOCK_ROWS, 65537.0, 0},
+             {ROT_KIND_BLOCK_ROWS, 131072.0, 0},
+             {ROT_KIND_BLOCK_ROWS, 768.0, 0},
+             {ROT_KIND_BLOCK_ROWS, NAN, 0},
+             {ROT_KIND_BLOCK_ROWS, 256.0, 1}};
   for (size_t k = 0; k < sizeof row / sizeof row[0]; k++) {
     kit_table damaged;
     size_t i = 0;
@@ -700,7 +858,10 @@ int main(void) {
   large_values();
   exact_sums();
   any_chunks();
-  merges();
+  counted_later();
+  mixed_parts();
+  mixed_sizes();
+  for (int i = 0; i < KIT_SIZES; i++) merges(kit_block_rows[i]);
   quantiles();
   kinds();
   known_rows();

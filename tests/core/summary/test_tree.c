@@ -18,7 +18,7 @@ static void free_note(void *node) {
   free(node);
 }
 
-static rot_status merge(void *into, const void *from) {
+static rot_status merge(void *into, void *from) {
   note *a = into;
   const note *b = from;
   if (!rot_stretch_are_children(a->span, b->span)) return ROT_EVALUE;
@@ -32,24 +32,38 @@ static rot_status merge(void *into, const void *from) {
   return ROT_OK;
 }
 
-static const rot_tree_node type = {span_of, merge, free_note};
+static int finished = 0, finish_fails = 0;
+
+static rot_status finish(void *node) {
+  (void)node;
+  if (finish_fails > 0) {
+    finish_fails--;
+    return ROT_ENOMEM;
+  }
+  finished++;
+  return ROT_OK;
+}
+
+static const rot_tree_node type = {span_of, merge, finish, free_note};
+
+static uint64_t block_rows; /* of all tests: main() runs them for each size */
 
 static note *leaf(uint64_t block, uint64_t rows) {
   note *node = malloc(sizeof *node);
-  node->span = (rot_stretch){block * ROT_BLOCK_ROWS, rows};
+  node->span = (rot_stretch){block * block_rows, rows, block_rows};
   node->text = malloc(24);
   sprintf(node->text, "%d", (int)block);
   return node;
 }
 
 static uint64_t rows_of(uint64_t block, uint64_t n) {
-  const uint64_t left = n - block * ROT_BLOCK_ROWS;
-  return left < ROT_BLOCK_ROWS ? left : ROT_BLOCK_ROWS;
+  const uint64_t left = n - block * block_rows;
+  return left < block_rows ? left : block_rows;
 }
 
 /* n rows in chunks of `size` blocks, blocks and chunks in random order if `state` is given. */
 static note *whole(uint64_t n, uint64_t size, uint64_t *state) {
-  const uint64_t blocks = (n + ROT_BLOCK_ROWS - 1) / ROT_BLOCK_ROWS;
+  const uint64_t blocks = (n + block_rows - 1) / block_rows;
   const uint64_t chunks = (blocks + size - 1) / size;
   rot_tree *tree = rot_tree_new(&type), *part = rot_tree_new(&type);
   void *node = NULL;
@@ -76,24 +90,26 @@ static note *whole(uint64_t n, uint64_t size, uint64_t *state) {
 
 static void known_trees(void) {
   static const struct {
-    uint64_t rows;
+    uint64_t blocks;
+    int more; /* rows */
     const char *text;
-  } row[] = {{1, "0"},
-             {65536, "0"},
-             {65537, "(0+1)"},
-             {3 * 65536, "((0+1)+2)"},
-             {4 * 65536 - 7, "((0+1)+(2+3))"},
-             {5 * 65536, "(((0+1)+(2+3))+4)"},
-             {6 * 65536, "(((0+1)+(2+3))+(4+5))"},
-             {7 * 65536 - 1, "(((0+1)+(2+3))+((4+5)+6))"}};
+  } row[] = {{0, 1, "0"},
+             {1, 0, "0"},
+             {1, 1, "(0+1)"},
+             {3, 0, "((0+1)+2)"},
+             {4, -7, "((0+1)+(2+3))"},
+             {5, 0, "(((0+1)+(2+3))+4)"},
+             {6, 0, "(((0+1)+(2+3))+(4+5))"},
+             {7, -1, "(((0+1)+(2+3))+((4+5)+6))"}};
   uint64_t state = 5;
   for (size_t i = 0; i < sizeof row / sizeof row[0]; i++) {
+    const uint64_t rows = row[i].blocks * block_rows + (uint64_t)row[i].more;
     for (uint64_t size = 1; size <= 8; size *= 2) {
       for (int random = 0; random < 3; random++) {
-        note *node = whole(row[i].rows, size, random ? &state : NULL);
+        note *node = whole(rows, size, random ? &state : NULL);
         ROT_CHECK(strcmp(node->text, row[i].text) == 0);
         ROT_CHECK_EQ_INT(node->span.first_row, 0);
-        ROT_CHECK_EQ_INT(node->span.rows, row[i].rows);
+        ROT_CHECK_EQ_INT(node->span.rows, rows);
         free_note(node);
       }
     }
@@ -104,7 +120,7 @@ static void known_trees(void) {
 static void any_chunks(void) {
   uint64_t state = 1;
   for (uint64_t blocks = 1; blocks <= 70; blocks++) {
-    const uint64_t n = blocks * ROT_BLOCK_ROWS - kit_bits(&state) % 2 * (kit_bits(&state) % 65536);
+    const uint64_t n = blocks * block_rows - kit_bits(&state) % 2 * (kit_bits(&state) % block_rows);
     note *want = whole(n, 1, NULL);
     for (uint64_t size = 1; size <= 32; size *= 2) {
       note *got = whole(n, size, &state);
@@ -119,7 +135,7 @@ static void any_chunks(void) {
 static void chunk_alone(void) {
   rot_tree *tree = rot_tree_new(&type);
   void *node = NULL;
-  for (uint64_t b = 8; b < 15; b++) rot_tree_add(tree, leaf(b, b == 14 ? 5 : ROT_BLOCK_ROWS));
+  for (uint64_t b = 8; b < 15; b++) rot_tree_add(tree, leaf(b, b == 14 ? 5 : block_rows));
   ROT_CHECK_EQ_INT(rot_tree_finish(tree, &node), ROT_OK);
   ROT_CHECK(strcmp(((note *)node)->text, "(((8+9)+(10+11))+((12+13)+14))") == 0);
   free_note(node);
@@ -137,26 +153,37 @@ static void wrong_rows(void) {
   ROT_CHECK_EQ_INT(rot_tree_finish(tree, &node), ROT_EVALUE);
   ROT_CHECK(node == NULL);
   refuse(tree, leaf(0, 0));
-  refuse(tree, leaf(1, ROT_BLOCK_ROWS + 1));     /* two blocks from an odd one on */
-  refuse(tree, leaf(2, 2 * ROT_BLOCK_ROWS + 1)); /* three from a multiple of two */
+  refuse(tree, leaf(1, block_rows + 1));     /* two blocks from an odd one on */
+  refuse(tree, leaf(2, 2 * block_rows + 1)); /* three from a multiple of two */
   refuse(tree, leaf(0, ROT_SWEEP_ROWS + 1));
-  refuse(tree, leaf((uint64_t)1 << 36, 1)); /* first row 2^52 */
+  refuse(tree, leaf(ROT_SWEEP_ROWS / block_rows, 1)); /* first row 2^52 */
+  for (int i = 0; i < KIT_NO_SIZES; i++) {
+    note *odd = leaf(0, 1);
+    odd->span.block_rows = kit_no_block_rows[i];
+    refuse(tree, odd);
+  }
   note *middle = leaf(0, 1);
   middle->span.first_row = 1;
   refuse(tree, middle);
-  ROT_CHECK_EQ_INT(rot_tree_add(tree, leaf(2, ROT_BLOCK_ROWS)), ROT_OK);
-  refuse(tree, leaf(2, ROT_BLOCK_ROWS)); /* twice */
+  ROT_CHECK_EQ_INT(rot_tree_add(tree, leaf(2, block_rows)), ROT_OK);
+  refuse(tree, leaf(2, block_rows)); /* twice */
   refuse(tree, leaf(2, 1));
-  refuse(tree, leaf(0, 4 * ROT_BLOCK_ROWS)); /* its rows again in others */
-  ROT_CHECK_EQ_INT(rot_tree_add(tree, leaf(0, ROT_BLOCK_ROWS)), ROT_OK);
+  for (int i = 0; i < KIT_SIZES; i++) { /* blocks of another size */
+    if (kit_block_rows[i] == block_rows) continue;
+    note *other = leaf(0, 1);
+    other->span.block_rows = kit_block_rows[i];
+    refuse(tree, other);
+  }
+  refuse(tree, leaf(0, 4 * block_rows)); /* its rows again in others */
+  ROT_CHECK_EQ_INT(rot_tree_add(tree, leaf(0, block_rows)), ROT_OK);
   ROT_CHECK_EQ_INT(rot_tree_finish(tree, &node), ROT_EVALUE); /* block 1 is missing */
   ROT_CHECK_EQ_INT(rot_tree_add(tree, leaf(1, 7)), ROT_OK);
   ROT_CHECK_EQ_INT(rot_tree_finish(tree, &node), ROT_EVALUE); /* block 1 is incomplete */
   rot_tree_free(tree);
   /* no chunk: its first block is odd */
   tree = rot_tree_new(&type);
-  rot_tree_add(tree, leaf(1, ROT_BLOCK_ROWS));
-  rot_tree_add(tree, leaf(2, ROT_BLOCK_ROWS));
+  rot_tree_add(tree, leaf(1, block_rows));
+  rot_tree_add(tree, leaf(2, block_rows));
   ROT_CHECK_EQ_INT(rot_tree_finish(tree, &node), ROT_EVALUE);
   rot_tree_free(tree);
   rot_tree_free(NULL);
@@ -169,7 +196,7 @@ static void no_memory(void) {
     void *node = NULL;
     memory_left = left;
     for (uint64_t b = 0; b < 11; b++) {
-      ROT_CHECK_EQ_INT(rot_tree_add(tree, leaf(b, ROT_BLOCK_ROWS)), ROT_OK);
+      ROT_CHECK_EQ_INT(rot_tree_add(tree, leaf(b, block_rows)), ROT_OK);
     }
     const rot_status status = rot_tree_finish(tree, &node);
     ROT_CHECK_EQ_INT(status, left < 10 ? ROT_ENOMEM : ROT_OK);
@@ -181,30 +208,81 @@ static void no_memory(void) {
   }
 }
 
+/* The node is completed once, when all are joined; without memory, by another call. */
+static void completed(void) {
+  rot_tree *tree = rot_tree_new(&type);
+  void *node = NULL;
+  for (uint64_t b = 0; b < 3; b++) rot_tree_add(tree, leaf(b, block_rows));
+  finished = 0;
+  finish_fails = 1;
+  ROT_CHECK_EQ_INT(rot_tree_finish(tree, &node), ROT_ENOMEM);
+  ROT_CHECK(node == NULL && finished == 0);
+  ROT_CHECK_EQ_INT(rot_tree_finish(tree, &node), ROT_OK);
+  ROT_CHECK_EQ_INT(finished, 1);
+  free_note(node);
+  rot_tree_free(tree);
+}
+
+/* An empty tree takes blocks of any size. */
+static void another_size(void) {
+  const uint64_t old = block_rows;
+  rot_tree *tree = rot_tree_new(&type);
+  void *node = NULL;
+  for (int i = 0; i < KIT_SIZES; i++) {
+    block_rows = kit_block_rows[i];
+    ROT_CHECK_EQ_INT(rot_tree_add(tree, leaf(0, block_rows)), ROT_OK);
+    ROT_CHECK_EQ_INT(rot_tree_add(tree, leaf(1, 1)), ROT_OK);
+    ROT_CHECK_EQ_INT(rot_tree_finish(tree, &node), ROT_OK);
+    ROT_CHECK_EQ_INT(((note *)node)->span.block_rows, block_rows);
+    free_note(node);
+  }
+  rot_tree_free(tree);
+  block_rows = old;
+}
+
 static void spans(void) {
-  const uint64_t b = ROT_BLOCK_ROWS;
-  ROT_CHECK_EQ_INT(rot_stretch_blocks((rot_stretch){0, 1}), 1);
-  ROT_CHECK_EQ_INT(rot_stretch_blocks((rot_stretch){0, b}), 1);
-  ROT_CHECK_EQ_INT(rot_stretch_blocks((rot_stretch){0, b + 1}), 2);
-  ROT_CHECK_EQ_INT(rot_stretch_size((rot_stretch){0, 3 * b}), 4 * b);
-  ROT_CHECK(rot_stretch_are_children((rot_stretch){4 * b, 2 * b}, (rot_stretch){6 * b, 2 * b}));
-  ROT_CHECK(rot_stretch_are_children((rot_stretch){4 * b, 2 * b}, (rot_stretch){6 * b, 1}));
-  ROT_CHECK(!rot_stretch_are_children((rot_stretch){2 * b, 2 * b}, (rot_stretch){4 * b, 2 * b}));
-  ROT_CHECK(!rot_stretch_are_children((rot_stretch){4 * b, 2 * b}, (rot_stretch){6 * b, 3 * b}));
-  ROT_CHECK(!rot_stretch_are_children((rot_stretch){4 * b, 2 * b - 1}, (rot_stretch){6 * b, b}));
-  ROT_CHECK(!rot_stretch_are_children((rot_stretch){4 * b, 2 * b}, (rot_stretch){7 * b, b}));
-  ROT_CHECK(!rot_stretch_are_children((rot_stretch){4 * b, 2 * b}, (rot_stretch){6 * b, 0}));
-  ROT_CHECK(rot_stretch_is_node((rot_stretch){0, ROT_SWEEP_ROWS}));
-  ROT_CHECK(rot_stretch_is_block((rot_stretch){7 * b, b}));
-  ROT_CHECK(!rot_stretch_is_block((rot_stretch){8 * b, b + 1}));
+  const uint64_t b = block_rows;
+  ROT_CHECK_EQ_INT(rot_stretch_blocks((rot_stretch){0, 1, b}), 1);
+  ROT_CHECK_EQ_INT(rot_stretch_blocks((rot_stretch){0, b, b}), 1);
+  ROT_CHECK_EQ_INT(rot_stretch_blocks((rot_stretch){0, b + 1, b}), 2);
+  ROT_CHECK_EQ_INT(rot_stretch_size((rot_stretch){0, 3 * b, b}), 4 * b);
+  ROT_CHECK(
+      rot_stretch_are_children((rot_stretch){4 * b, 2 * b, b}, (rot_stretch){6 * b, 2 * b, b}));
+  ROT_CHECK(rot_stretch_are_children((rot_stretch){4 * b, 2 * b, b}, (rot_stretch){6 * b, 1, b}));
+  ROT_CHECK(
+      !rot_stretch_are_children((rot_stretch){2 * b, 2 * b, b}, (rot_stretch){4 * b, 2 * b, b}));
+  ROT_CHECK(
+      !rot_stretch_are_children((rot_stretch){4 * b, 2 * b, b}, (rot_stretch){6 * b, 3 * b, b}));
+  ROT_CHECK(
+      !rot_stretch_are_children((rot_stretch){4 * b, 2 * b - 1, b}, (rot_stretch){6 * b, b, b}));
+  ROT_CHECK(!rot_stretch_are_children((rot_stretch){4 * b, 2 * b, b}, (rot_stretch){7 * b, b, b}));
+  ROT_CHECK(!rot_stretch_are_children((rot_stretch){4 * b, 2 * b, b}, (rot_stretch){6 * b, 0, b}));
+  for (int i = 0; i < KIT_SIZES; i++) {
+    const uint64_t other = kit_block_rows[i];
+    ROT_CHECK(rot_stretch_are_children((rot_stretch){0, 1 << 16, b},
+                                       (rot_stretch){1 << 16, 1 << 16, other}) == (other == b));
+  }
+  for (int i = 0; i < KIT_NO_SIZES; i++) {
+    ROT_CHECK(!rot_stretch_is_size(kit_no_block_rows[i]));
+    ROT_CHECK(!rot_stretch_is_block((rot_stretch){0, 1, kit_no_block_rows[i]}));
+  }
+  for (uint64_t size = 256; size <= 65536; size *= 2) ROT_CHECK(rot_stretch_is_size(size));
+  ROT_CHECK(rot_stretch_is_node((rot_stretch){0, ROT_SWEEP_ROWS, b}));
+  ROT_CHECK(rot_stretch_is_block((rot_stretch){7 * b, b, b}));
+  ROT_CHECK(!rot_stretch_is_block((rot_stretch){8 * b, b + 1, b}));
 }
 
 int main(void) {
-  spans();
-  known_trees();
-  any_chunks();
-  chunk_alone();
-  wrong_rows();
-  no_memory();
+  for (int i = 0; i < KIT_SIZES; i++) {
+    block_rows = kit_block_rows[i];
+    spans();
+    known_trees();
+    any_chunks();
+    chunk_alone();
+    wrong_rows();
+    no_memory();
+    completed();
+    another_size();
+  }
   return rot_test_report("tree");
 }
