@@ -79,6 +79,12 @@ static int all_finite(size_t n, const double x[]) {
 #define SIZES_3(a, b, c)    SIZE_##a, SIZE_##b, SIZE_##c
 #define SIZES_4(a, b, c, d) SIZE_##a, SIZE_##b, SIZE_##c, SIZE_##d
 
+/* Of a point the radius is its distance from the axis. */
+#define SIZED_0(n, ...) ROT_NUMBER_INPUT("radius_m", "m", 0, 0.0, 0, 0.0, "distance from the axis")
+#define SIZED_1(n, ...) SIZES_##n(__VA_ARGS__)
+#define SIZED_2(n, ...) SIZES_##n(__VA_ARGS__)
+#define SIZED_3(n, ...) SIZES_##n(__VA_ARGS__)
+
 #define MASS(required, words) ROT_NUMBER_INPUT("mass_kg", "kg", required, 0.0, 0, NAN, words)
 #define DENSITY(name, unit)   ROT_NUMBER_INPUT(name, unit, 0, 0.0, 0, NAN, "instead of the mass")
 
@@ -92,8 +98,8 @@ static int all_finite(size_t n, const double x[]) {
 #define DENSITY_3 , DENSITY("density_kg_m3", "kg/m^3")
 
 #define X(name, dimension, roundings, fit, n, ...)                                                 \
-  static const rot_input name##_inputs[] = {MASS_##dimension,                                      \
-                                            SIZES_##n(__VA_ARGS__) DENSITY_##dimension};
+  static const rot_input name##_inputs[] = {MASS_##dimension, SIZED_##dimension(n, __VA_ARGS__)    \
+                                                                  DENSITY_##dimension};
 ROT_SHAPE_LIST(X)
 #undef X
 
@@ -137,7 +143,8 @@ static rot_status build_shape(const rot_part *part, const rot_given given[], rot
   if (by_density && given[0].is) return rot_refuse(no, density, "is given, and so is the mass");
   if (!by_density && !given[0].is) return rot_refuse(no, 0, "is missing: it has no default");
   for (size_t k = 0; k < n; k++) {
-    size[k] = given[1 + k].is ? given[1 + k].x[0] : size[0] / 2.0; /* an apex, after its base */
+    const double otherwise = part->inputs[1 + k].otherwise; /* NaN: an apex, after its base */
+    size[k] = given[1 + k].is ? given[1 + k].x[0] : isnan(otherwise) ? size[0] / 2.0 : otherwise;
   }
   const rot_shape_fault fault = rot_shape_check(shape, size, &slot);
   if (fault != ROT_SHAPE_FITS) return refuse_size(shape, fault, slot, no);

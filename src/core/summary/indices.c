@@ -12,7 +12,7 @@ enum { GROUPS = ROT_INDEX_GROUPS };
 rot_indices *rot_indices_new(size_t n_inputs, size_t n_columns, const double shift[], uint64_t run,
                              uint64_t block_rows) {
   if (n_inputs < 1 || n_inputs > ROT_INDEX_INPUTS || run < 1) return NULL;
-  if (!rot_stretch_is_size(block_rows)) return NULL;
+  if (!rot_extent_is_size(block_rows)) return NULL;
   for (size_t i = 0; shift && i < n_columns; i++) {
     if (!isfinite(shift[i])) return NULL;
   }
@@ -61,7 +61,7 @@ typedef struct parts {
   size_t tail;     /* rows of a base point that goes on behind; 0 if not bounded */
 } parts;
 
-static parts parts_of(size_t n_inputs, rot_stretch span) {
+static parts parts_of(size_t n_inputs, rot_extent span) {
   const uint64_t length = n_inputs + 2, over = span.first_row % length;
   const uint64_t head = over ? length - over : 0;
   if (head > span.rows) return (parts){(size_t)span.rows, 0, 0, 0};
@@ -108,9 +108,9 @@ static void keep_rows(size_t n, const double x[], const int status[], double to[
 
 rot_status rot_indices_add(rot_indices *x, uint64_t first_row, size_t n,
                            const double *const column[], const int status[]) {
-  const rot_stretch span = {first_row, n, x->span.block_rows};
+  const rot_extent span = {first_row, n, x->span.block_rows};
   const size_t length = x->n_inputs + 2;
-  if (x->span.rows > 0 || !rot_stretch_is_block(span)) return ROT_EVALUE;
+  if (x->span.rows > 0 || !rot_extent_is_block(span)) return ROT_EVALUE;
   const parts p = parts_of(x->n_inputs, span);
   const uint64_t point = (first_row + p.head) / length;
   for (size_t i = 0; i < x->n_columns; i++) {
@@ -157,8 +157,7 @@ static int same_form(const rot_indices *a, const rot_indices *b) {
 }
 
 rot_status rot_indices_merge(rot_indices *into, const rot_indices *from) {
-  if (!rot_stretch_are_children(into->span, from->span) || !same_form(into, from))
-    return ROT_EVALUE;
+  if (!rot_extent_are_children(into->span, from->span) || !same_form(into, from)) return ROT_EVALUE;
   const parts left = parts_of(into->n_inputs, into->span);
   const parts right = parts_of(into->n_inputs, from->span);
   for (size_t i = 0; i < into->n_columns; i++) {
@@ -178,7 +177,7 @@ rot_status rot_indices_merge(rot_indices *into, const rot_indices *from) {
   return ROT_OK;
 }
 
-static rot_stretch span_of(const void *node) { return ((const rot_indices *)node)->span; }
+static rot_extent span_of(const void *node) { return ((const rot_indices *)node)->span; }
 static rot_status merge(void *into, void *from) { return rot_indices_merge(into, from); }
 static void free_node(void *node) { rot_indices_free(node); }
 
@@ -251,7 +250,7 @@ rot_status rot_indices_estimate(const rot_indices *x, size_t column, double firs
 /* ---- long form ------------------------------------------------------------------------------- */
 
 typedef struct header {
-  rot_stretch span;
+  rot_extent span;
   uint64_t n_columns, n_inputs, run;
 } header;
 
@@ -319,7 +318,7 @@ rot_status rot_indices_read(size_t n, const rot_long *rows, rot_indices **indice
   header h = {{0, 0, 0}, 0, 0, 0};
   *indices = NULL;
   at_header(&at, &h);
-  if (at.bad || !rot_stretch_is_node(h.span) || h.n_inputs < 1 || h.run < 1) return ROT_EVALUE;
+  if (at.bad || !rot_extent_is_node(h.span) || h.n_inputs < 1 || h.run < 1) return ROT_EVALUE;
   const parts p = parts_of((size_t)h.n_inputs, h.span);
   const uint64_t terms = ROT_INDEX_DIFFERENCE + 2 * h.n_inputs;
   const uint64_t each = 2 + GROUPS + 2 * GROUPS * terms + p.head + p.tail;

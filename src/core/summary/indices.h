@@ -9,7 +9,7 @@
  *
  * A base point with a failed row or a value that is not finite is skipped, for that output.
  *
- * Blocks are those of summary/stretch.h, as for all designs. A base point may continue in the next
+ * Blocks are those of summary/extent.h, as for all designs. A base point may continue in the next
  * blocks: the sums then carry the values of its rows until merging brings the other ones, and it
  * enters the sums of that node. So nothing else depends on the length of a base point, and the bits
  * depend on the rows and block_rows alone.
@@ -34,7 +34,7 @@
 #include "ground/dd.h"
 #include "ground/status.h"
 #include "summary/long.h"
-#include "summary/stretch.h"
+#include "summary/extent.h"
 #include "summary/tree.h"
 
 enum { ROT_INDEX_GROUPS = 16, ROT_INDEX_INPUTS = 65534 /* max d: 2^16 rows of a base point */ };
@@ -57,7 +57,7 @@ typedef struct rot_indices_column {
 } rot_indices_column;
 
 typedef struct rot_indices {
-  rot_stretch span;
+  rot_extent span;
   size_t n_inputs, n_columns;
   uint64_t run;
   size_t terms; /* 4 + 2 n_inputs */

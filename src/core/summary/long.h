@@ -14,7 +14,7 @@
 #include <stdint.h>
 
 #include "ground/ieee.h"
-#include "summary/stretch.h"
+#include "summary/extent.h"
 
 enum { ROT_RUN_QUANTITY = -1 };
 
@@ -30,7 +30,7 @@ enum { ROT_RUN_QUANTITY = -1 };
   X(ROT_KIND_ERROR_ABOVE, 6, "error_above")     /* => rows with an error above the accuracy */     \
   X(ROT_KIND_ERROR_UNKNOWN, 7, "error_unknown") /* => rows with the error NaN */                   \
   X(ROT_KIND_ERROR_MAX, 8, "error_max")         /* row => largest error, if any is a number */     \
-  X(ROT_KIND_BLOCK_ROWS, 9, "block_rows")       /* => rows of a block (summary/stretch.h) */       \
+  X(ROT_KIND_BLOCK_ROWS, 9, "block_rows")       /* => rows of a block (summary/extent.h) */        \
   /* a column of a summary */                                                                      \
   X(ROT_KIND_SHIFT, 10, "shift")                                                                   \
   X(ROT_KIND_FINITE, 11, "finite")           /* => finite values */                                \

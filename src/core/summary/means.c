@@ -8,7 +8,7 @@
 
 rot_means *rot_means_new(size_t n_columns, size_t replicates, uint64_t run, uint64_t block_rows) {
   if (replicates < 1 || replicates > ROT_MEANS_REPLICATES || run < 1) return NULL;
-  if (!rot_stretch_is_size(block_rows)) return NULL;
+  if (!rot_extent_is_size(block_rows)) return NULL;
   if (n_columns > SIZE_MAX / sizeof(rot_means_group) / replicates - 1) return NULL;
   rot_means *m = calloc(1, sizeof *m);
   if (!m) return NULL;
@@ -30,8 +30,8 @@ void rot_means_free(rot_means *m) {
 
 rot_status rot_means_add(rot_means *m, uint64_t first_row, size_t n, const double *const column[],
                          const int status[]) {
-  const rot_stretch span = {first_row, n, m->span.block_rows};
-  if (m->span.rows > 0 || !rot_stretch_is_block(span)) return ROT_EVALUE;
+  const rot_extent span = {first_row, n, m->span.block_rows};
+  if (m->span.rows > 0 || !rot_extent_is_block(span)) return ROT_EVALUE;
   for (size_t c = 0; c < m->n_columns; c++) {
     rot_means_group *group = m->group + c * m->replicates;
     size_t g = (size_t)(first_row / m->run % m->replicates);
@@ -55,7 +55,7 @@ rot_status rot_means_add(rot_means *m, uint64_t first_row, size_t n, const doubl
 }
 
 rot_status rot_means_merge(rot_means *into, const rot_means *from) {
-  if (!rot_stretch_are_children(into->span, from->span) || into->n_columns != from->n_columns ||
+  if (!rot_extent_are_children(into->span, from->span) || into->n_columns != from->n_columns ||
       into->replicates != from->replicates || into->run != from->run) {
     return ROT_EVALUE;
   }
@@ -68,7 +68,7 @@ rot_status rot_means_merge(rot_means *into, const rot_means *from) {
   return ROT_OK;
 }
 
-static rot_stretch span_of(const void *node) { return ((const rot_means *)node)->span; }
+static rot_extent span_of(const void *node) { return ((const rot_means *)node)->span; }
 static rot_status merge(void *into, void *from) { return rot_means_merge(into, from); }
 static void free_node(void *node) { rot_means_free(node); }
 
@@ -101,7 +101,7 @@ void rot_means_estimate(const rot_means *m, size_t column, double *mean, double 
 /* ---- long form ------------------------------------------------------------------------------- */
 
 typedef struct header {
-  rot_stretch span;
+  rot_extent span;
   uint64_t n_columns, replicates, run;
 } header;
 
@@ -152,7 +152,7 @@ rot_status rot_means_read(size_t n, const rot_long *rows, rot_means **means) {
   header h = {{0, 0, 0}, 0, 0, 0};
   *means = NULL;
   at_header(&at, &h);
-  if (at.bad || !rot_stretch_is_node(h.span) || h.replicates < 1 || h.run < 1) return ROT_EVALUE;
+  if (at.bad || !rot_extent_is_node(h.span) || h.replicates < 1 || h.run < 1) return ROT_EVALUE;
   const uint64_t each = 3 * h.replicates;
   if (h.n_columns > n / each || at.next + h.n_columns * each != n) return ROT_EVALUE;
   rot_means *m = rot_means_new((size_t)h.n_columns, (size_t)h.replicates, h.run, h.span.block_rows);

@@ -15,7 +15,7 @@
 #include "ground/dd.h"
 #include "ground/status.h"
 #include "summary/long.h"
-#include "summary/stretch.h"
+#include "summary/extent.h"
 #include "summary/tree.h"
 
 enum { ROT_MEANS_REPLICATES = 4096 };
@@ -26,13 +26,13 @@ typedef struct rot_means_group {
 } rot_means_group;
 
 typedef struct rot_means {
-  rot_stretch span;
+  rot_extent span;
   size_t n_columns, replicates;
   uint64_t run;
   rot_means_group *group; /* group[replicates * column + g] */
 } rot_means;
 
-/* replicates: 1 .. 4096; run >= 1; block_rows: rows of a block (summary/stretch.h). NULL: no
+/* replicates: 1 .. 4096; run >= 1; block_rows: rows of a block (summary/extent.h). NULL: no
  * memory, or an argument outside its domain. */
 rot_means *rot_means_new(size_t n_columns, size_t replicates, uint64_t run, uint64_t block_rows);
 void rot_means_free(rot_means *means);

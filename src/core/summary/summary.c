@@ -12,7 +12,7 @@
 enum { PIECE = 1024, LANES = 4 };
 
 rot_summary *rot_summary_new(size_t n_columns, const double shift[], uint64_t block_rows) {
-  if (!rot_stretch_is_size(block_rows)) return NULL;
+  if (!rot_extent_is_size(block_rows)) return NULL;
   for (size_t i = 0; shift && i < n_columns; i++) {
     if (!isfinite(shift[i])) return NULL;
   }
@@ -257,9 +257,9 @@ static void add_errors(rot_summary *summary, const rot_summary_block *block) {
 }
 
 rot_status rot_summary_add(rot_summary *summary, const rot_summary_block *block) {
-  const rot_stretch span = {block->first_row, block->n, summary->span.block_rows};
+  const rot_extent span = {block->first_row, block->n, summary->span.block_rows};
   uint16_t failures[ROT_BLOCK_ROWS_MAX / PIECE] = {0};
-  if (summary->span.rows > 0 || !rot_stretch_is_block(span) || block->kept > block->n) {
+  if (summary->span.rows > 0 || !rot_extent_is_block(span) || block->kept > block->n) {
     return ROT_EVALUE;
   }
   rot_status status = add_statuses(summary, block, failures);
@@ -351,7 +351,7 @@ rot_status rot_summary_count(const rot_summary *summary) {
 /* All memory is taken before anything changes. */
 rot_status rot_summary_merge(rot_summary *into, const rot_summary *from) {
   const size_t n = into->n_columns;
-  if (!rot_stretch_are_children(into->span, from->span) || !same_columns(into, from)) {
+  if (!rot_extent_are_children(into->span, from->span) || !same_columns(into, from)) {
     return ROT_EVALUE;
   }
   rot_status status = rot_summary_count(into);
@@ -388,7 +388,7 @@ static rot_status merge(void *left, void *right) {
   rot_summary *into = left, *from = right;
   const uint64_t rows = into->span.rows + from->span.rows;
   if (rows > ROT_BLOCK_ROWS_MAX || !nothing_counted(from)) return rot_summary_merge(into, from);
-  if (!rot_stretch_are_children(into->span, from->span) || !same_columns(into, from)) {
+  if (!rot_extent_are_children(into->span, from->span) || !same_columns(into, from)) {
     return ROT_EVALUE;
   }
   for (size_t i = 0; i < into->n_columns; i++) {
@@ -401,7 +401,7 @@ static rot_status merge(void *left, void *right) {
 }
 
 static rot_status finish(void *node) { return rot_summary_count(node); }
-static rot_stretch span_of(const void *node) { return ((const rot_summary *)node)->span; }
+static rot_extent span_of(const void *node) { return ((const rot_summary *)node)->span; }
 static void free_node(void *node) { rot_summary_free(node); }
 
 const rot_tree_node rot_summary_node = {span_of, merge, finish, free_node};
@@ -553,10 +553,10 @@ static void at_errors(rot_long_at *at, rot_summary *summary) {
   if (at->read) summary->has_error_max = has;
 }
 
-static void at_block_rows(rot_long_at *at, rot_stretch *span) {
+static void at_block_rows(rot_long_at *at, rot_extent *span) {
   rot_long_count(at, ROT_RUN_QUANTITY, ROT_KIND_BLOCK_ROWS, 0, ROT_BLOCK_ROWS_MAX,
                  &span->block_rows);
-  if (at->read && !rot_stretch_is_node(*span)) at->bad = 1;
+  if (at->read && !rot_extent_is_node(*span)) at->bad = 1;
 }
 
 static void at_buckets(rot_long_at *at, int quantity, uint64_t max, rot_buckets *buckets) {
@@ -610,7 +610,7 @@ static rot_status at_column(rot_long_at *at, rot_summary *summary, size_t i) {
 }
 
 /* Span and number of columns come first: the other rows depend on them. */
-static uint64_t at_header(rot_long_at *at, rot_stretch *span, uint64_t n_columns) {
+static uint64_t at_header(rot_long_at *at, rot_extent *span, uint64_t n_columns) {
   rot_long_count(at, ROT_RUN_QUANTITY, ROT_KIND_FIRST_ROW, 0, ROT_SWEEP_ROWS, &span->first_row);
   rot_long_count(at, ROT_RUN_QUANTITY, ROT_KIND_ROWS, 0, ROT_SWEEP_ROWS, &span->rows);
   rot_long_count(at, ROT_RUN_QUANTITY, ROT_KIND_COLUMNS, 0, INT32_MAX, &n_columns);
@@ -701,10 +701,10 @@ static int agrees(const rot_summary *summary) {
  * checked with the smallest blocks, of which all nodes consist. */
 rot_status rot_summary_read(size_t n, const rot_long *rows, rot_summary **summary) {
   rot_long_at at = {rows, n, 0, 1, 0};
-  rot_stretch span = {0, 0, ROT_BLOCK_ROWS_MIN};
+  rot_extent span = {0, 0, ROT_BLOCK_ROWS_MIN};
   *summary = NULL;
   const uint64_t n_columns = at_header(&at, &span, 0);
-  if (at.bad || !rot_stretch_is_node(span) || n_columns > n / 7) return ROT_EVALUE;
+  if (at.bad || !rot_extent_is_node(span) || n_columns > n / 7) return ROT_EVALUE;
   rot_summary *s = rot_summary_new((size_t)n_columns, NULL, span.block_rows);
   if (!s) return ROT_ENOMEM;
   s->span = span;

@@ -1,7 +1,7 @@
 /* What a sweep keeps of its rows: counts, sums, extremes and histograms of its output columns.
  *
  *   rot_summary *part = rot_summary_new(n_columns, shift);
- *   rot_summary_add(part, &block);              one block of rows (summary/stretch.h)
+ *   rot_summary_add(part, &block);              one block of rows (summary/extent.h)
  *   rot_tree_add(tree, part);                   tree of type rot_summary_node (summary/tree.h)
  *   ...
  *   rot_tree_finish(tree, &whole);
@@ -31,7 +31,7 @@
 #include "ground/status.h"
 #include "summary/buckets.h"
 #include "summary/long.h"
-#include "summary/stretch.h"
+#include "summary/extent.h"
 #include "summary/tree.h"
 
 enum { ROT_SUMMARY_STATUSES = 32, ROT_SUMMARY_FAILED = 100 };
@@ -47,7 +47,7 @@ typedef struct rot_summary_column {
 } rot_summary_column;
 
 typedef struct rot_summary {
-  rot_stretch span; /* rows covered; none at first */
+  rot_extent span; /* rows covered; none at first */
   size_t n_columns;
   rot_summary_column *column;
   uint64_t rows_with_status[ROT_SUMMARY_STATUSES];
@@ -75,7 +75,7 @@ typedef struct rot_summary_block {
   uint64_t kept;               /* number of rows kept, up to n */
 } rot_summary_block;
 
-/* shift[]: one finite number a column; NULL: 0. block_rows: rows of a block (summary/stretch.h).
+/* shift[]: one finite number a column; NULL: 0. block_rows: rows of a block (summary/extent.h).
  * NULL: no memory, or an argument outside its domain. */
 rot_summary *rot_summary_new(size_t n_columns, const double shift[], uint64_t block_rows);
 /* Empties a summary, shifts and block_rows excepted. */

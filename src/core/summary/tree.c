@@ -22,7 +22,7 @@ void rot_tree_free(rot_tree *tree) {
   free(tree);
 }
 
-static rot_stretch span_at(const rot_tree *tree, size_t i) {
+static rot_extent span_at(const rot_tree *tree, size_t i) {
   return tree->type->span(tree->node[i]);
 }
 
@@ -39,8 +39,8 @@ static rot_status join(rot_tree *tree, size_t i) {
 /* Complete children. An incomplete right child waits for the end: rows after it may still come. */
 static int complete(const rot_tree *tree, size_t i) {
   if (i + 1 >= tree->n) return 0;
-  const rot_stretch left = span_at(tree, i), right = span_at(tree, i + 1);
-  return left.rows == right.rows && rot_stretch_are_children(left, right);
+  const rot_extent left = span_at(tree, i), right = span_at(tree, i + 1);
+  return left.rows == right.rows && rot_extent_are_children(left, right);
 }
 
 /* Joins complete children from node i - 1 on, which may give others. */
@@ -59,14 +59,14 @@ static rot_status join_complete(rot_tree *tree, size_t i) {
 }
 
 rot_status rot_tree_add(rot_tree *tree, void *node) {
-  const rot_stretch span = tree->type->span(node);
-  if (!rot_stretch_is_node(span)) return ROT_EVALUE;
+  const rot_extent span = tree->type->span(node);
+  if (!rot_extent_is_node(span)) return ROT_EVALUE;
   if (tree->n > 0 && span_at(tree, 0).block_rows != span.block_rows) return ROT_EVALUE;
   size_t at = tree->n;
   while (at > 0 && span_at(tree, at - 1).first_row >= span.first_row) at--;
   if (at < tree->n && span_at(tree, at).first_row < span.first_row + span.rows) return ROT_EVALUE;
   if (at > 0) {
-    const rot_stretch left = span_at(tree, at - 1);
+    const rot_extent left = span_at(tree, at - 1);
     if (left.first_row + left.rows > span.first_row) return ROT_EVALUE;
   }
   if (tree->n == tree->room) {
@@ -90,11 +90,11 @@ rot_status rot_tree_finish(rot_tree *tree, void **node) {
   if (tree->n == 0) return ROT_EVALUE;
   const rot_status pending = join_complete(tree, 0);
   if (pending != ROT_OK) return pending;
-  rot_stretch last = span_at(tree, tree->n - 1);
+  rot_extent last = span_at(tree, tree->n - 1);
   for (size_t i = tree->n - 1; i-- > 0;) {
-    const rot_stretch left = span_at(tree, i);
-    if (!rot_stretch_are_children(left, last)) return ROT_EVALUE;
-    last = (rot_stretch){left.first_row, left.rows + last.rows, left.block_rows};
+    const rot_extent left = span_at(tree, i);
+    if (!rot_extent_are_children(left, last)) return ROT_EVALUE;
+    last = (rot_extent){left.first_row, left.rows + last.rows, left.block_rows};
   }
   while (tree->n > 1) {
     const rot_status status = join(tree, tree->n - 2);

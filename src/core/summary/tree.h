@@ -1,4 +1,4 @@
-/* Joins summaries of parts of a sweep along the tree of its blocks (summary/stretch.h), in any
+/* Joins summaries of parts of a sweep along the tree of its blocks (summary/extent.h), in any
  * order of arrival. The nodes are of one type: rot_summary, rot_indices or rot_means.
  *
  *   rot_tree *tree = rot_tree_new(&rot_summary_node);
@@ -13,11 +13,11 @@
 #define ROT_TREE_H
 
 #include "ground/status.h"
-#include "summary/stretch.h"
+#include "summary/extent.h"
 
 /* A type of nodes. */
 typedef struct rot_tree_node {
-  rot_stretch (*span)(const void *node);
+  rot_extent (*span)(const void *node);
   /* Both are unchanged if it fails; else the tree frees `from`, whose memory may be taken. */
   rot_status (*merge)(void *into, void *from);
   rot_status (*finish)(void *node); /* completes what merge() left for later; NULL: nothing */

@@ -115,7 +115,7 @@ static uint64_t sum_of_rows(const work *w, uint64_t first, size_t n) {
 static rot_status add_summary(work *w, uint64_t first, size_t n, const double *const output[],
                               uint64_t kept) {
   const rot_chunk_plan *plan = w->plan;
-  rot_summary *part = rot_summary_new(w->n_outputs, plan->shift);
+  rot_summary *part = rot_summary_new(w->n_outputs, plan->shift, plan->block_rows);
   if (!part) return ROT_ENOMEM;
   const rot_summary_block block = {.first_row = first,
                                    .n = n,
@@ -131,7 +131,8 @@ static rot_status add_summary(work *w, uint64_t first, size_t n, const double *c
 }
 
 static rot_status add_means(work *w, uint64_t first, size_t n, const double *const output[]) {
-  rot_means *part = rot_means_new(w->n_outputs, w->plan->replicates, w->plan->run);
+  rot_means *part =
+      rot_means_new(w->n_outputs, w->plan->replicates, w->plan->run, w->plan->block_rows);
   if (!part) return ROT_ENOMEM;
   rot_status status = rot_means_add(part, first, n, output, w->status);
   if (status == ROT_OK) status = rot_tree_add(w->means, part);
@@ -142,7 +143,8 @@ static rot_status add_means(work *w, uint64_t first, size_t n, const double *con
 static rot_status add_indices(work *w, uint64_t first, size_t n, const double *const output[]) {
   const rot_design *design = &w->plan->sweep->design;
   if (design->kind != ROT_DESIGN_SALTELLI) return ROT_OK;
-  rot_indices *part = rot_indices_new(design->n_varied, w->n_outputs, w->plan->shift, w->plan->run);
+  rot_indices *part = rot_indices_new(design->n_varied, w->n_outputs, w->plan->shift, w->plan->run,
+                                      w->plan->block_rows);
   if (!part) return ROT_ENOMEM;
   rot_status status = rot_indices_add(part, first, n, output, w->status);
   if (status == ROT_OK) status = rot_tree_add(w->indices, part);

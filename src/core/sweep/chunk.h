@@ -42,7 +42,7 @@ typedef struct rot_chunk {
   uint64_t checksum;
 } rot_chunk;
 
-/* Rows first .. first + n - 1; `first` a multiple of n's subtree (summary/stretch.h), if sums are
+/* Rows first .. first + n - 1; `first` a multiple of n's subtree (summary/extent.h), if sums are
  * wanted. ROT_EVALUE: the plan is refused. */
 rot_status rot_chunk_run(const rot_chunk_plan *plan, uint64_t first, uint64_t n,
                          const rot_hooks *hooks, rot_chunk *chunk, rot_refusal *no);

@@ -67,7 +67,7 @@ static rot_indices *read_back(rot_indices *s) {
 
 static rot_indices *whole(const rot_indices *form, uint64_t rows, const double x[],
                           const int status[], uint64_t size, uint64_t turn) {
-  const uint64_t blocks = rot_stretch_blocks((rot_stretch){0, rows, form->span.block_rows});
+  const uint64_t blocks = rot_extent_blocks((rot_extent){0, rows, form->span.block_rows});
   rot_tree *tree = rot_tree_new(type), *part = rot_tree_new(type);
   void *node = NULL;
   uint64_t places = 16;

@@ -14,7 +14,7 @@ static kit_table table_of(const rot_means *m) {
 
 static rot_means *whole(size_t replicates, uint64_t run, uint64_t rows, const double x[],
                         const int status[], uint64_t size, uint64_t block_rows) {
-  const uint64_t blocks = rot_stretch_blocks((rot_stretch){0, rows, block_rows});
+  const uint64_t blocks = rot_extent_blocks((rot_extent){0, rows, block_rows});
   rot_tree *tree = rot_tree_new(type), *part = rot_tree_new(type);
   void *node = NULL;
   for (uint64_t chunk = (blocks + size - 1) / size; chunk-- > 0;) {

@@ -397,7 +397,7 @@ static void check_against_loops(const rot_summary *s, uint64_t rows) {
 
 /* All bits for any chunks of blocks of one size => their hash */
 static void check_chunks(uint64_t rows, uint64_t block_rows, char want[ROT_HASH_SIZE]) {
-  const uint64_t blocks = rot_stretch_blocks((rot_stretch){0, rows, block_rows});
+  const uint64_t blocks = rot_extent_blocks((rot_extent){0, rows, block_rows});
   rot_summary **block = malloc(blocks * sizeof(rot_summary *));
   char got[ROT_HASH_SIZE];
   for (uint64_t b = 0; b < blocks; b++) block[b] = block_of(b, rows, block_rows);

@@ -5,13 +5,13 @@
 #include "summary_kit.h"
 
 typedef struct note {
-  rot_stretch span;
+  rot_extent span;
   char *text;
 } note;
 
 static int memory_left = -1; /* merges that succeed; -1: all */
 
-static rot_stretch span_of(const void *node) { return ((const note *)node)->span; }
+static rot_extent span_of(const void *node) { return ((const note *)node)->span; }
 
 static void free_note(void *node) {
   free(((note *)node)->text);
@@ -21,7 +21,7 @@ static void free_note(void *node) {
 static rot_status merge(void *into, void *from) {
   note *a = into;
   const note *b = from;
-  if (!rot_stretch_are_children(a->span, b->span)) return ROT_EVALUE;
+  if (!rot_extent_are_children(a->span, b->span)) return ROT_EVALUE;
   if (memory_left == 0) return ROT_ENOMEM;
   if (memory_left > 0) memory_left--;
   char *text = malloc(strlen(a->text) + strlen(b->text) + 4);
@@ -50,7 +50,7 @@ static uint64_t block_rows; /* of all tests: main() runs them for each size */
 
 static note *leaf(uint64_t block, uint64_t rows) {
   note *node = malloc(sizeof *node);
-  node->span = (rot_stretch){block * block_rows, rows, block_rows};
+  node->span = (rot_extent){block * block_rows, rows, block_rows};
   node->text = malloc(24);
   sprintf(node->text, "%d", (int)block);
   return node;
@@ -242,34 +242,30 @@ static void another_size(void) {
 
 static void spans(void) {
   const uint64_t b = block_rows;
-  ROT_CHECK_EQ_INT(rot_stretch_blocks((rot_stretch){0, 1, b}), 1);
-  ROT_CHECK_EQ_INT(rot_stretch_blocks((rot_stretch){0, b, b}), 1);
-  ROT_CHECK_EQ_INT(rot_stretch_blocks((rot_stretch){0, b + 1, b}), 2);
-  ROT_CHECK_EQ_INT(rot_stretch_size((rot_stretch){0, 3 * b, b}), 4 * b);
-  ROT_CHECK(
-      rot_stretch_are_children((rot_stretch){4 * b, 2 * b, b}, (rot_stretch){6 * b, 2 * b, b}));
-  ROT_CHECK(rot_stretch_are_children((rot_stretch){4 * b, 2 * b, b}, (rot_stretch){6 * b, 1, b}));
-  ROT_CHECK(
-      !rot_stretch_are_children((rot_stretch){2 * b, 2 * b, b}, (rot_stretch){4 * b, 2 * b, b}));
-  ROT_CHECK(
-      !rot_stretch_are_children((rot_stretch){4 * b, 2 * b, b}, (rot_stretch){6 * b, 3 * b, b}));
-  ROT_CHECK(
-      !rot_stretch_are_children((rot_stretch){4 * b, 2 * b - 1, b}, (rot_stretch){6 * b, b, b}));
-  ROT_CHECK(!rot_stretch_are_children((rot_stretch){4 * b, 2 * b, b}, (rot_stretch){7 * b, b, b}));
-  ROT_CHECK(!rot_stretch_are_children((rot_stretch){4 * b, 2 * b, b}, (rot_stretch){6 * b, 0, b}));
+  ROT_CHECK_EQ_INT(rot_extent_blocks((rot_extent){0, 1, b}), 1);
+  ROT_CHECK_EQ_INT(rot_extent_blocks((rot_extent){0, b, b}), 1);
+  ROT_CHECK_EQ_INT(rot_extent_blocks((rot_extent){0, b + 1, b}), 2);
+  ROT_CHECK_EQ_INT(rot_extent_size((rot_extent){0, 3 * b, b}), 4 * b);
+  ROT_CHECK(rot_extent_are_children((rot_extent){4 * b, 2 * b, b}, (rot_extent){6 * b, 2 * b, b}));
+  ROT_CHECK(rot_extent_are_children((rot_extent){4 * b, 2 * b, b}, (rot_extent){6 * b, 1, b}));
+  ROT_CHECK(!rot_extent_are_children((rot_extent){2 * b, 2 * b, b}, (rot_extent){4 * b, 2 * b, b}));
+  ROT_CHECK(!rot_extent_are_children((rot_extent){4 * b, 2 * b, b}, (rot_extent){6 * b, 3 * b, b}));
+  ROT_CHECK(!rot_extent_are_children((rot_extent){4 * b, 2 * b - 1, b}, (rot_extent){6 * b, b, b}));
+  ROT_CHECK(!rot_extent_are_children((rot_extent){4 * b, 2 * b, b}, (rot_extent){7 * b, b, b}));
+  ROT_CHECK(!rot_extent_are_children((rot_extent){4 * b, 2 * b, b}, (rot_extent){6 * b, 0, b}));
   for (int i = 0; i < KIT_SIZES; i++) {
     const uint64_t other = kit_block_rows[i];
-    ROT_CHECK(rot_stretch_are_children((rot_stretch){0, 1 << 16, b},
-                                       (rot_stretch){1 << 16, 1 << 16, other}) == (other == b));
+    ROT_CHECK(rot_extent_are_children((rot_extent){0, 1 << 16, b},
+                                      (rot_extent){1 << 16, 1 << 16, other}) == (other == b));
   }
   for (int i = 0; i < KIT_NO_SIZES; i++) {
-    ROT_CHECK(!rot_stretch_is_size(kit_no_block_rows[i]));
-    ROT_CHECK(!rot_stretch_is_block((rot_stretch){0, 1, kit_no_block_rows[i]}));
+    ROT_CHECK(!rot_extent_is_size(kit_no_block_rows[i]));
+    ROT_CHECK(!rot_extent_is_block((rot_extent){0, 1, kit_no_block_rows[i]}));
   }
-  for (uint64_t size = 256; size <= 65536; size *= 2) ROT_CHECK(rot_stretch_is_size(size));
-  ROT_CHECK(rot_stretch_is_node((rot_stretch){0, ROT_SWEEP_ROWS, b}));
-  ROT_CHECK(rot_stretch_is_block((rot_stretch){7 * b, b, b}));
-  ROT_CHECK(!rot_stretch_is_block((rot_stretch){8 * b, b + 1, b}));
+  for (uint64_t size = 256; size <= 65536; size *= 2) ROT_CHECK(rot_extent_is_size(size));
+  ROT_CHECK(rot_extent_is_node((rot_extent){0, ROT_SWEEP_ROWS, b}));
+  ROT_CHECK(rot_extent_is_block((rot_extent){7 * b, b, b}));
+  ROT_CHECK(!rot_extent_is_block((rot_extent){8 * b, b + 1, b}));
 }
 
 int main(void) {
