@@ -256,16 +256,16 @@ write_part <- function(x, folder, kind, chunk, metadata, call) {
     },
     error = function(e) conditionMessage(e)
   )
-  if (nzchar(fault)) abort_unwritten(file.path(folder, kind), fault, call)
+  if (nzchar(fault)) abort_unwritten_part(file.path(folder, kind), fault, call)
   size <- file.size(work)
   to <- file.path(folder, kind, part_name(chunk))
   if (!suppressWarnings(file.rename(work, to))) {
-    abort_unwritten(to, "It cannot take its name.", call)
+    abort_unwritten_part(to, "It cannot take its name.", call)
   }
   size
 }
 
-abort_unwritten <- function(path, fault, call) {
+abort_unwritten_part <- function(path, fault, call) {
   abort_rotdyn(c(
     "{.file {path}} cannot be written.", x = braces_doubled(fault),
     i = "What is committed stays: {.fn sweep_resume} goes on when there is room."

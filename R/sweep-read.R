@@ -52,8 +52,8 @@ read_sweep <- function(plan, folder, rows, call) {
   if (length(missing)) {
     abort_rotdyn(c(
       "{length(missing)} of {n_chunks(plan)} chunks of {.file {folder}} {?is/are} not done.",
-      i = "{.fn sweep_resume} computes {cli::qty(length(missing))}{?it/them}; {.fn sweep_status} says
-           how far it is."
+      i = "{.fn sweep_resume} computes {cli::qty(length(missing))}{?it/them}; {.fn sweep_status}
+           says how far it is."
     ), "file", call)
   }
   sums <- .Call(ffi_sweep_join, lapply(parts, `[[`, "sums"))

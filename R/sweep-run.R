@@ -36,8 +36,8 @@
 #' @section Errors: `rotdyn_error_memory` for a plan that does not fit into memory;
 #'   `rotdyn_error_folder` for a folder with another sweep, with the first difference;
 #'   `rotdyn_error_canary` for a machine whose rows have other bits; `rotdyn_error_chunks` for
-#'   chunks that failed, after all others are done; `rotdyn_error_file` where nothing can be written:
-#'   what is committed stays. `rotdyn_error_package` without \pkg{nanoparquet} or \pkg{yyjsonr},
+#'   chunks that failed, after all others are done; `rotdyn_error_file` where nothing can be
+#'   written: what is committed stays. `rotdyn_error_package` without \pkg{nanoparquet} or \pkg{yyjsonr},
 #'   which a folder needs.
 #' @source Apache Parquet format, version 2.9 (2021).
 #' @seealso [sweep_plan()], [sweep_read()], [summary.rot_sweep()].
@@ -231,10 +231,10 @@ run_here <- function(plan, folder, todo, threads, call) {
     )
     if (inherits(receipt, "error")) failed[[length(failed) + 1L]] <- list(todo[i], receipt)
   }
-  abort_failed(failed, call)
+  abort_failed_chunks(failed, call)
 }
 
-abort_failed <- function(failed, call) {
+abort_failed_chunks <- function(failed, call) {
   if (!length(failed)) return()
   chunks <- vapply(failed, function(f) as.double(f[[1]]), double(1))
   abort_rotdyn(c(

@@ -91,7 +91,8 @@ test_that("NA rows are NA, and the others what they were", {
   holes$moment_of_inertia_kg_m2[3] <- NA
   whole <- spin_up_table(designs, article_torque(), 8)
   table <- spin_up_table(holes, article_torque(), 8)
-  expect_identical(table[c(1, 4), rotdyn:::spin_up_table_columns], whole[c(1, 4), rotdyn:::spin_up_table_columns])
+  columns <- rotdyn:::spin_up_table_columns
+  expect_identical(table[c(1, 4), columns], whole[c(1, 4), columns])
   expect_true(all(is.na(unlist(table[2:3, rotdyn:::spin_up_table_columns]))))
   expect_true(is.na(spin_up_table(designs, article_torque(), c(8, NA, 8, 8))$error[2]))
 })

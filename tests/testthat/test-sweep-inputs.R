@@ -45,8 +45,10 @@ test_that("paths lead through lists, vectors and parts in parts", {
 test_that("a scene with R functions has inputs, and numbers that no text shows have none", {
   pushed <- scene_axle(0.1, function(time_s) sin(time_s))
   expect_true("body" %in% sweep_inputs(pushed)$input)
-  moved <- place_body(body_box(1, 0.1, 0.2, 0.3), c(0.1, 0.2, 0.3), rotation_about(c(1, 2, 3), angle_rad = 1))
-  known <- sweep_inputs(scene_free(join_bodies(moved, list(moved, body_sphere(1, 0.1))), c(1, 0, 0)))
+  turn <- rotation_about(c(1, 2, 3), angle_rad = 1)
+  moved <- place_body(body_box(1, 0.1, 0.2, 0.3), c(0.1, 0.2, 0.3), turn)
+  joined <- join_bodies(moved, list(moved, body_sphere(1, 0.1)))
+  known <- sweep_inputs(scene_free(joined, c(1, 0, 0)))
   expect_false(any(grepl("size_m|frame|second_moment", known$input)))
 })
 

@@ -14,7 +14,8 @@ test_that("a path that the scene lacks gets the nearest ones, or what it is deri
   refused("argument", wheel, 400, rows_of("body$inertia_kg_m2" = 1:3), message = "derived from")
   refused("argument", scene_axle(0.1), 4, rows_of("resistance$coulomb_n_m" = 1:3),
           message = "has no resistance")
-  refused("argument", wheel, 400, rows_of("body$mass_kg" = 1:2, body = 1:2), message = "takes the place")
+  refused("argument", wheel, 400, rows_of("body$mass_kg" = 1:2, body = 1:2),
+          message = "takes the place")
 })
 
 test_that("a law that leaves the domain of its input is refused with the share outside", {
@@ -49,7 +50,8 @@ test_that("outputs, times, models, conditions and chunks are checked", {
 test_that("derived inputs are formulas of others", {
   refused("value", wheel, 400, rows_of(density = 1:2), message = "volume",
           derive = list("body$mass_kg" = ~ density * volume))
-  refused("argument", wheel, 400, rows_of("body$mass_kg" = 1:2), derive = list("body$mass_kg" = ~ 1))
+  refused("argument", wheel, 400, rows_of("body$mass_kg" = 1:2),
+          derive = list("body$mass_kg" = ~ 1))
   refused("type", wheel, 400, rows_of("body$mass_kg" = 1:2), derive = ~ 1)
   plan <- sweep_plan(wheel, 400, rows_of(density = c(1, 2), unused = 1), derive = list(
     area = ~ pi * 0.25^2 * unused, "body$mass_kg" = ~ density * area
@@ -96,7 +98,9 @@ test_that("the print says what the sweep will take", {
 })
 
 test_that("rows beyond 2^31, seeds beyond it, one row: all are rows", {
-  plan <- sweep_plan(wheel, 400, design_random(2^40, seed = 2^52, "body$mass_kg" = vary_uniform(1, 2)))
+  plan <- sweep_plan(wheel, 400, design_random(2^40, seed = 2^52,
+    "body$mass_kg" = vary_uniform(1, 2)
+  ))
   scene <- sweep_scene(plan, 2^39 + 1)
   expect_identical(
     scene$body$mass_kg, design_rows(plan$design, 2^39 + 1, 1)[["body$mass_kg"]]

@@ -27,7 +27,8 @@ scenes <- list(
   incline = function() {
     scene_incline(
       one_of(body_disk(1, 0.2), body_sphere(1, 0.1)), stats::runif(1, 5, 40),
-      static_friction = one_of(Inf, 0.1), rolling_arm_m = one_of(0, 0.002), v0_m_per_s = one_of(0, 1),
+      static_friction = one_of(Inf, 0.1), rolling_arm_m = one_of(0, 0.002),
+      v0_m_per_s = one_of(0, 1),
       resistance = one_of(NULL, resistance(drag_n_s2_per_m2 = 0.1))
     )
   },

@@ -325,7 +325,7 @@ rot_status rot_object_given(const rot_object *object, rot_store *store, rot_give
   return rot_inputs_check(object->n, object->inputs, *given, no);
 }
 
-/* ---- laws ------------------------------------------------------------------------------------------ */
+/* ---- laws ------------------------------------------------------------------------------------ */
 
 int rot_object_calls(const rot_object *object) {
   for (size_t i = 0; i < object->n; i++) {

@@ -56,8 +56,8 @@ size_t rot_run_rows_per_time(const rot_constraint *constraint, const void *scene
 rot_status rot_run_audit(const rot_constraint *constraint, const void *scene, const rot_span *span,
                          double term[], double explained[]);
 
-/* (columns of a run, place of a time) => all columns at it, as rot_span has them: rows_per_time values
- * each; NaN for a column that is not shown and a flag that means nothing. */
+/* (columns of a run, place of a time) => all columns at it, as rot_span has them: rows_per_time
+ * values each; NaN for a column that is not shown and a flag that means nothing. */
 void rot_run_cells(const rot_constraint *constraint, const void *scene, void *const column[],
                    size_t time, double cell[]);
 

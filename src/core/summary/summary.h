@@ -13,9 +13,9 @@
  * plus_inf + minus_inf = rows_with_status[0].
  *
  * All members of a whole depend on the rows and block_rows alone, bit for bit: not on threads,
- * chunks, order of arrival or width of registers. Within a block, four sums take the values in turns
- * (row modulo 4; within a piece of 1024 rows with failures or values that are not finite: the n-th
- * finite value, n modulo 4); blocks are added along the tree.
+ * chunks, order of arrival or width of registers. Within a block, four sums take the values in
+ * turns (row modulo 4; within a piece of 1024 rows with failures or values that are not finite: the
+ * n-th finite value, n modulo 4); blocks are added along the tree.
  *
  * Sums are double-double numbers with an error of some 2^-90 of the sum of |x|. Squares are those
  * of the rounded difference of value and shift, so choose a shift near the mean, the same for all
