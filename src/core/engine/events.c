@@ -35,6 +35,7 @@ rot_status rot_events_add_at(rot_events *events, double time_s, rot_event event,
 }
 
 void rot_events_free(rot_events *events) {
+  if (!events->time_s && !events->event && !events->place) return;
   free(events->time_s);
   free(events->event);
   free(events->place);

@@ -4,6 +4,8 @@
 #ifndef ROT_MODEL_H
 #define ROT_MODEL_H
 
+#include <stdint.h>
+
 #include "engine/events.h"
 #include "engine/input.h"
 #include "engine/resistance.h"
@@ -83,6 +85,7 @@ typedef struct rot_column_of {
 /* Where a run writes; n rows, times their copies. */
 typedef struct rot_rows {
   void *const *column; /* one for each of the constraint's, of n values */
+  int whole;           /* 1: the caller knows that none of them is NULL */
   /* One for each of its flows, since the start or since the first row: their differences count.
    * NULL: not wanted. */
   double *const *flow;
@@ -180,6 +183,9 @@ typedef struct rot_constraint {
   const rot_maker *makers;      /* all make scenes of scene_size */
   const rot_column_of *columns; /* in the order of rot_model.run */
   const rot_model_run *runs;    /* one for each model */
+  /* Mask of models whose run fails, without a row, where why_not() has a reason: a run of such a
+   * model that is named asks for the reason after a failure alone. */
+  unsigned run_tells;
   size_t scene_size;
   double (*start_s)(const void *scene);
   const char *index; /* of the rows at one time, a column of R's from 1 on; NULL: one row a time */
@@ -204,8 +210,9 @@ typedef struct rot_constraint {
   const double *(*breaks)(const void *scene, size_t *n);
   int event_rows;  /* its runs fill rot_rows.at_events */
   unsigned events; /* that its runs may log: a mask of 1 << rot_event */
-  /* NULL, or which of the columns with `only_with` the rows of a scene have. */
-  int (*shows)(const void *scene, size_t column);
+  /* NULL, or which columns the rows of a scene have, if they have the effects of `only_with`:
+   * column i is bit i. Columns without `only_with` are always among them. */
+  uint64_t (*shows)(const void *scene);
   /* NULL, or the words of a term in this scene; NULL: it has no such term. */
   const char *(*term_words)(const void *scene, size_t term);
   /* NULL where no effect may be dropped; else the scene without effects, in the store. */

@@ -1,7 +1,6 @@
 #include "ground/status.h"
 
 #include <math.h>
-#include <string.h>
 
 static const struct {
   const char *text, *kind;
@@ -38,8 +37,14 @@ void rot_info_measures(rot_info *info, const char *const names[]) {
 }
 
 void rot_info_clear(rot_info *info, const char *const names[]) {
-  /* The measures in use alone: 500 bytes less in each run. */
-  memset(info, 0, offsetof(rot_info, measure));
+  /* The measures in use alone: 500 bytes less in each run. Member by member: memset() of 100 bytes
+   * is a string instruction here, which takes 20 ns to begin. */
+  info->status = ROT_OK;
+  info->time_s = 0.0;
+  info->rows_done = info->steps = info->rejected = info->rhs_calls = 0;
+  info->tolerance = 0.0;
+  info->method = ROT_METHOD_NONE;
+  info->step_s = 0.0;
   rot_info_measures(info, names);
 }
 

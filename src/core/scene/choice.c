@@ -45,16 +45,17 @@ const rot_model *rot_choice_model(const rot_constraint *constraint, const char *
 
 /* ---- one model ------------------------------------------------------------------------------- */
 
-/* (model, scene, effects) => candidate, without dropping effects. A NaN accuracy compares false: no
- * model reaches it. */
+/* (model, scene, effects) => candidate, without dropping effects and without predicted time.
+ * asks: 0 leaves out the reason of the model. A NaN accuracy compares false: no model reaches it. */
 static void judge(const rot_constraint *constraint, const rot_model *model, unsigned effects,
-                  const void *scene, const rot_query *query, rot_candidate *out) {
+                  const void *scene, const rot_query *query, int asks, rot_candidate *out) {
   out->model = model;
   out->untaken = effects & ~model->takes;
   out->dropped = 0;
   out->drop.error = INFINITY;
   out->drop.why_not = NULL;
-  out->why_not = !out->untaken && model->why_not ? model->why_not(scene, query) : NULL;
+  out->why_not = asks && !out->untaken && model->why_not ? model->why_not(scene, query) : NULL;
+  out->cost_s = NAN;
   out->error = model->promise;
   if (model->error_kind == ROT_ADAPTIVE && query->accuracy > out->error) {
     out->error = query->accuracy;
@@ -64,7 +65,6 @@ static void judge(const rot_constraint *constraint, const rot_model *model, unsi
   }
   out->applies = !out->untaken && !out->why_not &&
                  (out->error <= query->accuracy || model->use == ROT_BY_NAME);
-  out->cost_s = model->cost_s(model, scene, query);
 }
 
 static unsigned droppable(const rot_constraint *constraint) {
@@ -90,7 +90,15 @@ static void try_without(const rot_constraint *constraint, const void *scene, con
 
 void rot_choice_judge(const rot_constraint *constraint, const rot_model *model, const void *scene,
                       const rot_query *query, rot_candidate *out) {
-  judge(constraint, model, constraint->effects_of(scene), scene, query, out);
+  judge(constraint, model, constraint->effects_of(scene), scene, query, 1, out);
+  out->cost_s = model->cost_s(model, scene, query);
+  if (may_drop(constraint, out)) try_without(constraint, scene, query, INFINITY, out);
+}
+
+void rot_choice_judge_named(const rot_constraint *constraint, const rot_model *model,
+                            const void *scene, const rot_query *query, rot_candidate *out) {
+  const int asks = !(constraint->run_tells >> (model - constraint->models) & 1u);
+  judge(constraint, model, constraint->effects_of(scene), scene, query, asks, out);
   if (may_drop(constraint, out)) try_without(constraint, scene, query, INFINITY, out);
 }
 
@@ -103,7 +111,8 @@ static int judge_all(const rot_constraint *constraint, const void *scene, const 
   const unsigned effects = constraint->effects_of(scene);
   int bounded = 0;
   for (size_t i = 0; i < constraint->n_models; i++) {
-    judge(constraint, &constraint->models[i], effects, scene, query, &out[i]);
+    judge(constraint, &constraint->models[i], effects, scene, query, 1, &out[i]);
+    out[i].cost_s = out[i].model->cost_s(out[i].model, scene, query);
     if (out[i].applies && out[i].model->use == ROT_BY_NAME) {
       out[i].applies = 0;
       out[i].why_not = "it runs only where it is named";

@@ -31,6 +31,10 @@ const rot_model *rot_choice_model(const rot_constraint *constraint, const char *
  * them. */
 void rot_choice_judge(const rot_constraint *constraint, const rot_model *model, const void *scene,
                       const rot_query *query, rot_candidate *out);
+/* The same for the run of a named model: without predicted time (NaN), and without the reason that
+ * the run tells itself (rot_constraint.run_tells). */
+void rot_choice_judge_named(const rot_constraint *constraint, const rot_model *model,
+                            const void *scene, const rot_query *query, rot_candidate *out);
 
 /* (scene, query) => all models of the constraint, ascending by cost (equal costs: in the order of
  * the table); their number. */

@@ -42,7 +42,19 @@ int rot_run_shows(const rot_constraint *constraint, const void *scene, unsigned 
   const unsigned with = constraint->columns[column].only_with;
   if (!with) return 1;
   if (with != ROT_AS_SHOWN && !(with & effects)) return 0;
-  return !constraint->shows || constraint->shows(scene, column);
+  return !constraint->shows || (constraint->shows(scene) >> column & 1u);
+}
+
+/* scene => mask of the columns that rows of it show, as rot_run_shows() of each has it */
+static uint64_t shown_columns(const rot_constraint *c, const void *scene) {
+  const unsigned effects = c->effects_of(scene);
+  uint64_t all = 0, mask = c->shows ? c->shows(scene) : ~(uint64_t)0;
+  for (size_t i = 0; i < c->n_columns && mask >> i; i++) {
+    const unsigned with = c->columns[i].only_with;
+    const int shown = !with || ((with == ROT_AS_SHOWN || with & effects) && (mask >> i & 1u));
+    all |= (uint64_t)shown << i;
+  }
+  return all;
 }
 
 const char *rot_run_term_words(const rot_constraint *constraint, const void *scene, size_t term) {
@@ -57,7 +69,7 @@ typedef struct job {
   const rot_constraint *constraint;
   const void *scene;
   const rot_hooks *hooks;
-  void *column[ROT_MAX_COLUMNS]; /* every column of the constraint */
+  void *column[ROT_MAX_COLUMNS]; /* every column of the constraint, if one is not wanted */
   void *memory;                  /* of the columns that the caller does not want */
   rot_rows rows;                 /* without the events */
 } job;
@@ -67,14 +79,19 @@ typedef struct job {
 static rot_status open_columns(job *j, size_t n_times, const rot_rows *want) {
   const rot_constraint *c = j->constraint;
   void *const *column = want ? want->column : NULL;
-  const size_t n = n_times * rot_run_rows_per_time(c, j->scene);
-  const unsigned effects = c->effects_of(j->scene);
   int lacks[ROT_MAX_COLUMNS];
-  size_t missing = 0;
+  size_t missing = 0, there = 0;
+  while (column && !want->whole && there < c->n_columns && column[there]) there++;
+  if (want && (want->whole || there == c->n_columns)) {
+    j->rows = *want;
+    return ROT_OK;
+  }
+  const size_t n = n_times * rot_run_rows_per_time(c, j->scene);
+  /* A constraint with its own shows() writes no other columns. */
+  const uint64_t written = c->shows ? shown_columns(c, j->scene) : ~(uint64_t)0;
   for (size_t i = 0; i < c->n_columns; i++) {
     j->column[i] = column ? column[i] : NULL;
-    /* A constraint with its own shows() writes no other columns. */
-    lacks[i] = !j->column[i] && (!c->shows || rot_run_shows(c, j->scene, effects, i));
+    lacks[i] = !j->column[i] && (written >> i & 1u);
     missing += (size_t)lacks[i];
   }
   if (missing && n > (SIZE_MAX - 1) / sizeof(double) / missing) return ROT_ENOMEM;
@@ -104,16 +121,30 @@ static rot_status run_model(const job *j, const rot_model *model, const rot_task
   return run->run(j->scene, task, run->method, &rows, j->hooks, info);
 }
 
-/* 1 if a shown column contains Inf. The sum is tested first: it is cheap, and finite if all values
- * are. */
-static int beyond_doubles(const job *j, unsigned effects, size_t n) {
-  for (size_t i = 0; i < j->constraint->n_columns; i++) {
-    const rot_column_of *column = &j->constraint->columns[i];
-    const double *x = j->column[i];
-    double sum = 0.0;
-    if (column->flag || !rot_run_shows(j->constraint, j->scene, effects, i)) continue;
-    for (size_t k = 0; k < n; k++) sum += x[k];
-    if (isfinite(sum)) continue;
+/* => not 0 if one of n numbers is Inf or NaN: the exponent has all bits. No number waits for the one
+ * before, as in a sum. */
+static uint64_t not_finite(size_t n, const double x[]) {
+  uint64_t found = 0;
+  for (size_t i = 0; i < n; i++) {
+    uint64_t bits;
+    memcpy(&bits, &x[i], sizeof bits);
+    found |= (bits >> 52 & 0x7ff) + 1;
+  }
+  return found & 0x800;
+}
+
+/* 1 if a shown column contains Inf. */
+static int beyond_doubles(const job *j, size_t n) {
+  const rot_constraint *c = j->constraint;
+  const uint64_t shown = shown_columns(c, j->scene);
+  uint64_t found = 0;
+  for (size_t i = 0; i < c->n_columns && shown >> i; i++) {
+    if (!c->columns[i].flag && (shown >> i & 1u)) found |= not_finite(n, j->rows.column[i]);
+  }
+  if (!found) return 0;
+  for (size_t i = 0; i < c->n_columns; i++) {
+    const double *x = j->rows.column[i];
+    if (c->columns[i].flag || !(shown >> i & 1u)) continue;
     for (size_t k = 0; k < n; k++) {
       if (isinf(x[k])) return 1;
     }
@@ -155,16 +186,15 @@ static void measure_between_rows(const job *j, const rot_model *model, const rot
 
 /* ---- choose and run -------------------------------------------------------------------------- */
 
-/* (candidate, task) => rows, outcome: errors of the run and of dropped effects, largest values. */
-static void run_candidate(const job *j, const rot_candidate *c, const rot_task *task, int asked,
-                          rot_outcome *out) {
+/* (out->picked, task) => rows, outcome: errors of the run and of dropped effects, largest values. */
+static void run_picked(const job *j, const rot_task *task, int asked, rot_outcome *out) {
   const rot_constraint *constraint = j->constraint;
+  const rot_candidate *c = &out->picked;
   rot_task own = *task;
   own.asked = asked;
   own.without = c->dropped ? c->untaken : 0u;
   rot_events_free(&out->events);
   memset(&out->events, 0, sizeof out->events);
-  out->picked = *c;
   out->model = c->model;
   rot_info_clear(&out->info, constraint->measures);
   out->info.status = run_model(j, c->model, &own, &out->events, &out->info);
@@ -177,8 +207,7 @@ static void run_candidate(const job *j, const rot_candidate *c, const rot_task *
   }
   out->error = rot_info_error(&out->info);
   if (out->info.status != ROT_OK) return;
-  if (beyond_doubles(j, constraint->effects_of(j->scene),
-                     task->n * rot_run_rows_per_time(constraint, j->scene))) {
+  if (beyond_doubles(j, task->n * rot_run_rows_per_time(constraint, j->scene))) {
     out->error = INFINITY;
   } else if (task->n && c->model->error_kind != ROT_ADAPTIVE && isfinite(out->error) &&
              (out->error > 1e-13 || out->error > task->accuracy)) {
@@ -187,16 +216,72 @@ static void run_candidate(const job *j, const rot_candidate *c, const rot_task *
   }
 }
 
+/* A job before open_columns(): the rest is set there. */
+static void begin(job *j, const rot_constraint *constraint, const void *scene,
+                  const rot_hooks *hooks) {
+  j->constraint = constraint;
+  j->scene = scene;
+  j->hooks = hooks;
+  j->memory = NULL;
+}
+
 void rot_run_model(const rot_constraint *constraint, const void *scene, const rot_model *model,
                    const rot_task *task, const rot_rows *want, rot_outcome *out,
                    const rot_hooks *hooks) {
-  const rot_candidate one = {
+  job j;
+  begin(&j, constraint, scene, hooks);
+  out->picked = (rot_candidate){
       .model = model, .applies = 1, .untaken = task->without, .dropped = task->without != 0};
-  job j = {.constraint = constraint, .scene = scene, .hooks = hooks};
-  rot_info_clear(&out->info, constraint->measures);
-  out->info.status = open_columns(&j, task->n, want);
-  if (out->info.status == ROT_OK) run_candidate(&j, &one, task, task->asked, out);
+  const rot_status status = open_columns(&j, task->n, want);
+  if (status == ROT_OK) {
+    run_picked(&j, task, task->asked, out);
+  } else {
+    rot_info_clear(&out->info, constraint->measures);
+    out->info.status = status;
+  }
   free(j.memory);
+}
+
+/* The reason of a model whose run failed and tells it so: not the failure counts, but the reason. */
+static int refused(const job *j, const rot_query *query, rot_outcome *out) {
+  const rot_constraint *c = j->constraint;
+  const rot_model *model = out->picked.model;
+  if (out->info.status == ROT_OK || !(c->run_tells >> (model - c->models) & 1u)) return 0;
+  if (out->picked.dropped || !model->why_not) return 0;
+  out->picked.why_not = model->why_not(j->scene, query);
+  if (!out->picked.why_not) return 0;
+  out->picked.applies = 0;
+  out->model = NULL;
+  rot_events_free(&out->events);
+  memset(&out->events, 0, sizeof out->events);
+  rot_info_clear(&out->info, c->measures);
+  return 1;
+}
+
+rot_run_end rot_run_named(const rot_constraint *constraint, const void *scene,
+                          const rot_model *model, const rot_task *task, double law_s,
+                          const rot_rows *want, rot_outcome *out, const rot_hooks *hooks) {
+  const rot_query query = {task->n, task->time_s, task->accuracy, law_s};
+  job j;
+  rot_run_end end = ROT_RUN_DONE;
+  begin(&j, constraint, scene, hooks);
+  rot_choice_judge_named(constraint, model, scene, &query, &out->picked);
+  const rot_status status = out->picked.applies ? open_columns(&j, task->n, want) : ROT_OK;
+  if (!out->picked.applies || status != ROT_OK) {
+    out->model = NULL;
+    rot_info_clear(&out->info, constraint->measures);
+    out->info.status = status;
+    return out->picked.applies ? ROT_RUN_DONE : ROT_RUN_NO_MODEL;
+  }
+  run_picked(&j, task, task->asked, out);
+  if (refused(&j, &query, out)) {
+    end = ROT_RUN_NO_MODEL;
+  } else if (model->use == ROT_ON_TRIAL && out->info.status == ROT_OK &&
+             !(out->error <= task->accuracy)) {
+    end = ROT_RUN_NONE_FITS;
+  }
+  free(j.memory);
+  return end;
 }
 
 rot_run_end rot_run(const rot_constraint *constraint, const void *scene, const char *model,
@@ -204,25 +289,21 @@ rot_run_end rot_run(const rot_constraint *constraint, const void *scene, const c
                     const rot_hooks *hooks) {
   const rot_query query = {task->n, task->time_s, task->accuracy, law_s};
   rot_candidate picked[ROT_MAX_MODELS];
-  job j = {.constraint = constraint, .scene = scene, .hooks = hooks};
-  size_t n = 1;
+  const rot_model *named = model ? rot_choice_model(constraint, model) : NULL;
+  job j;
+  if (named) return rot_run_named(constraint, scene, named, task, law_s, want, out, hooks);
+  begin(&j, constraint, scene, hooks);
   out->model = NULL;
   rot_info_clear(&out->info, constraint->measures);
-  if (model) {
-    const rot_model *named = rot_choice_model(constraint, model);
-    if (!named) return ROT_RUN_NO_MODEL;
-    rot_choice_judge(constraint, named, scene, &query, &picked[0]);
-    out->picked = picked[0];
-    if (!picked[0].applies) return ROT_RUN_NO_MODEL;
-  } else {
-    n = rot_choice_pick(constraint, scene, &query, picked);
-  }
+  if (model) return ROT_RUN_NO_MODEL;
+  const size_t n = rot_choice_pick(constraint, scene, &query, picked);
   out->info.status = open_columns(&j, task->n, want);
   if (out->info.status != ROT_OK) return ROT_RUN_DONE;
   rot_run_end end = ROT_RUN_NONE_FITS;
   for (size_t i = 0; i < n && end == ROT_RUN_NONE_FITS; i++) {
     const int trial = picked[i].model->use == ROT_ON_TRIAL;
-    run_candidate(&j, &picked[i], task, model && task->asked, out);
+    out->picked = picked[i];
+    run_picked(&j, task, 0, out);
     if (!trial || out->info.status != ROT_OK || out->error <= task->accuracy) end = ROT_RUN_DONE;
   }
   free(j.memory);

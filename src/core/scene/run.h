@@ -35,6 +35,11 @@ rot_run_end rot_run(const rot_constraint *constraint, const void *scene, const c
                     const rot_task *task, double law_s, const rot_rows *want, rot_outcome *out,
                     const rot_hooks *hooks);
 
+/* The same of a model of the constraint, not NULL. */
+rot_run_end rot_run_named(const rot_constraint *constraint, const void *scene,
+                          const rot_model *model, const rot_task *task, double law_s,
+                          const rot_rows *want, rot_outcome *out, const rot_hooks *hooks);
+
 /* (scene, task, model) => rows, outcome, also if the promised error exceeds the accuracy. */
 void rot_run_model(const rot_constraint *constraint, const void *scene, const rot_model *model,
                    const rot_task *task, const rot_rows *want, rot_outcome *out,

@@ -140,8 +140,9 @@ static double of_times(const rot_output_run *run, const rot_output_of *output) {
   double found = NAN;
   if (copy >= run->rows_per_time) return found;
   /* Columns that a row does not show are not written. */
-  if (!rot_run_shows(run->constraint, run->scene, run->constraint->effects_of(run->scene),
-                     output->at)) {
+  const rot_constraint *c = run->constraint;
+  if (c->columns[output->at].only_with &&
+      !rot_run_shows(c, run->scene, c->effects_of(run->scene), output->at)) {
     return found;
   }
   if (output->kind == ROT_OUT_FINAL) return cell_of(run, output->at, run->n_times - 1, copy);

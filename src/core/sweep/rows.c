@@ -16,12 +16,15 @@ const char *rot_row_status_name(int status) {
 struct rot_rows_worker {
   const rot_row_plan *plan;
   const rot_constraint *constraint;
+  const rot_model *named; /* of all rows; NULL: each has the cheapest */
+  int steps;              /* 1: the named model steps in time, or it is not known which runs */
+  rot_task task;          /* of all rows, but for the times */
   rot_variants *variants;
   rot_output_of *outputs;
   const char **paths;      /* without the time */
   size_t n_paths, time_at; /* the place of the time among the inputs; n_inputs: it does not vary */
   size_t rows_per_time, most_times;
-  int audits;
+  int audits; /* an output needs flows */
   void *column[ROT_MAX_COLUMNS];
   double *flow[ROT_MAX_FLOWS], flow_error[ROT_MAX_FLOWS];
   double *time_s, *cell;
@@ -51,6 +54,12 @@ static rot_status open_worker(rot_rows_worker *w, rot_refusal *no) {
   const size_t n = plan->n_inputs;
   if (!plan->scene || !plan->scene->constraint) return rot_refuse(no, n, "it is no scene");
   w->constraint = plan->scene->constraint;
+  w->named = plan->model ? rot_choice_model(w->constraint, plan->model) : NULL;
+  /* Models that step in time always have their flows, as trajectory() asks for them. */
+  w->steps = !w->named || w->named->error_kind == ROT_ADAPTIVE || w->named->use == ROT_BY_NAME;
+  w->task = (rot_task){.accuracy = plan->accuracy,
+                       .max_steps = (size_t)fmin(plan->max_steps, 1e15),
+                       .asked = plan->asked};
   w->paths = rot_store_get(&w->store, n, sizeof *w->paths);
   w->outputs = rot_store_get(&w->store, plan->n_outputs, sizeof *w->outputs);
   if (!w->paths || !w->outputs) return ROT_ENOMEM;
@@ -173,24 +182,22 @@ static int run_row(rot_rows_worker *w, const void *scene, size_t n, rot_outcome 
                    double *error) {
   const rot_row_plan *plan = w->plan;
   const rot_constraint *c = w->constraint;
-  const rot_model *named = plan->model ? rot_choice_model(c, plan->model) : NULL;
-  /* Models that step in time always have their flows, as trajectory() asks for them. */
-  const int steps = !named || named->error_kind == ROT_ADAPTIVE || named->use == ROT_BY_NAME;
-  const int flows = w->audits || steps;
-  const double max = fmin(plan->max_steps, 1e15);
-  const rot_task task = {.n = n,
-                         .time_s = w->time_s,
-                         .accuracy = plan->accuracy,
-                         .max_steps = (size_t)max + n,
-                         .asked = plan->asked};
+  const int flows = w->audits || w->steps;
+  rot_task task = w->task;
+  task.n = n;
+  task.time_s = w->time_s;
+  task.max_steps += n;
   const rot_rows want = {.column = w->column,
+                         .whole = 1,
                          .flow = flows ? w->flow : NULL,
                          .flow_error = flows ? w->flow_error : NULL};
-  const rot_run_end end = rot_run(c, scene, plan->model, &task, 0.0, &want, o, NULL);
+  if (plan->model && !w->named) return ROT_ROW_NO_MODEL;
+  const rot_run_end end = w->named ? rot_run_named(c, scene, w->named, &task, 0.0, &want, o, NULL)
+                                   : rot_run(c, scene, NULL, &task, 0.0, &want, o, NULL);
   if (end != ROT_RUN_DONE) return ROT_ROW_NO_MODEL;
   if (o->info.status != ROT_OK) return (int)o->info.status;
   if (isinf(o->error)) return ROT_ERANGE;
-  if (w->audits && !steps && n > 2) {
+  if (w->audits && !w->steps && n > 2) {
     const rot_status status = flows_at_ends(w, scene, &task, o);
     if (status != ROT_OK) return (int)status;
   }

@@ -143,14 +143,13 @@ static rot_status open_slot(rot_variants *v, slot *s, rot_refusal *no) {
   return status;
 }
 
-/* The given value of a slot, for the one that has it. */
+/* What a slot builds, as a value of the one that has it: a body as a copy of it, which each build
+ * makes, others by their place. */
 static rot_given given_of(const slot *s) {
   if (!s->built) {
     return (rot_given){.is = ROT_INPUT_LIST, .n = s->object->n, .item = s->given};
   }
-  rot_given to = {.is = s->object->part->makes, .n = 1, .object = s->built};
-  if (to.is == ROT_INPUT_BODY) to.body = *(const rot_given_body *)s->built;
-  return to;
+  return (rot_given){.is = s->object->part->makes, .n = 1, .object = s->built};
 }
 
 /* (name or place of the next segment) => *text behind it. Returns the value's place in the object;
@@ -296,6 +295,9 @@ static rot_status open_all(rot_variants *v, size_t n, const char *const paths[],
   for (size_t i = 0; i < n && status == ROT_OK; i++) {
     status = open_leaf(v, &v->slots[of[i]], &places[i], &v->leaves[i]);
   }
+  for (size_t s = 1; s < v->n_slots && status == ROT_OK; s++) {
+    v->slots[v->slots[s].up].given[v->slots[s].at] = given_of(&v->slots[s]);
+  }
   return status;
 }
 
@@ -335,8 +337,12 @@ void rot_variants_set(rot_variants *v, size_t i, double value) { *v->leaves[i] =
 static rot_status build_part(rot_variants *v, slot *s, rot_refusal *no) {
   const rot_part *part = s->object->part;
   memset(s->built, 0, part->size);
-  const rot_status status = rot_inputs_check(part->n_inputs, part->inputs, s->given, no);
-  return status == ROT_OK ? part->build(part, s->given, &v->rebuilt, s->built, no) : status;
+  rot_status status = rot_inputs_check(part->n_inputs, part->inputs, s->given, no);
+  if (status == ROT_OK) status = part->build(part, s->given, &v->rebuilt, s->built, no);
+  if (status == ROT_OK && part->makes == ROT_INPUT_BODY) {
+    v->slots[s->up].given[s->at].body = *(const rot_given_body *)s->built;
+  }
+  return status;
 }
 
 rot_status rot_variants_build(rot_variants *v, const void **scene, rot_refusal *no) {
@@ -353,7 +359,6 @@ rot_status rot_variants_build(rot_variants *v, const void **scene, rot_refusal *
       no->input = s->at;
       return status;
     }
-    if (status == ROT_OK) v->slots[s->up].given[s->at] = given_of(s);
   }
   if (status == ROT_OK) {
     memset(v->slots[0].built, 0, root->constraint->scene_size);

@@ -36,13 +36,16 @@ const rot_column_of rot_axle_all_columns[ROT_AXLE_ALL_COLUMNS] = {
 /* Indices of columns: of a single mass, of two masses. */
 enum { MOMENT = 7, ALPHA, SINGLE, FIRST = SINGLE + ROT_AXLE_OF_MASS };
 
-int rot_axle_shows(const void *built, size_t column) {
+/* Columns from..to - 1 as a mask. */
+#define COLUMNS(from, to) (((uint64_t)1 << (to)) - ((uint64_t)1 << (from)))
+
+uint64_t rot_axle_shows(const void *built) {
   const rot_axle_built *axle = built;
   const double *mass = axle->rope.mass_kg;
-  if (column < MOMENT) return 1;
-  if (column == MOMENT) return axle->scene.n_inertia > 0;
-  if (column == ALPHA) return mass[0] > 0.0;
-  return mass[0] > 0.0 && (column < FIRST) == (mass[1] == 0.0);
+  uint64_t shown = COLUMNS(0, axle->scene.n_inertia > 0 ? MOMENT + 1 : MOMENT);
+  if (!(mass[0] > 0.0)) return shown;
+  shown |= COLUMNS(ALPHA, ALPHA + 1);
+  return shown | (mass[1] == 0.0 ? COLUMNS(SINGLE, FIRST) : COLUMNS(FIRST, ROT_AXLE_ALL_COLUMNS));
 }
 
 static rot_axle_columns columns_of(void *const column[]) {

@@ -12,8 +12,8 @@ extern const rot_model_run rot_axle_runs[ROT_AXLE_MODELS];
 
 /* rot_constraint.start_s */
 double rot_axle_start_s(const void *built);
-/* rot_constraint.shows: column => 1 if the scene shows it, else 0. */
-int rot_axle_shows(const void *built, size_t column);
+/* rot_constraint.shows: scene => mask of the columns that it shows. */
+uint64_t rot_axle_shows(const void *built);
 /* rot_constraint.reduce: (scene, mask of effects) => scene without them. */
 rot_status rot_axle_reduce(const void *built, unsigned without, rot_store *store, void *to);
 

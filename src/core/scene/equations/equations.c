@@ -76,8 +76,8 @@ static double start_s(const void *scene) { return ((const equations *)scene)->st
 static const char *const names[MAX + 1] = {EACH(NAME), NULL};
 static const rot_column_of columns[MAX] = {EACH(COLUMN)};
 
-static int shows(const void *scene, size_t column) {
-  return column < ((const equations *)scene)->n;
+static uint64_t shows(const void *scene) {
+  return ((uint64_t)1 << ((const equations *)scene)->n) - 1;
 }
 
 /* ---- runs ------------------------------------------------------------------------------------ */

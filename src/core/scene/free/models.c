@@ -134,6 +134,7 @@ const rot_constraint rot_free_constraint = {
     .n_columns = ROT_COUNT(columns),
     .columns = columns,
     .runs = rot_free_runs,
+    .run_tells = 3u, /* the closed forms */
     .scene_size = sizeof(rot_free_built),
     .start_s = rot_free_start,
     .events = 1u << ROT_EVENT_FLIP | 1u << ROT_EVENT_HIGHEST | 1u << ROT_EVENT_LOWEST,

@@ -11,9 +11,9 @@
 
 /* ---- columns --------------------------------------------------------------------------------- */
 
-int rot_free_shows(const void *scene, size_t column) {
+uint64_t rot_free_shows(const void *scene) {
   const rot_free_params *p = scene;
-  return column < ROT_FREE_OWN_COLUMNS + 2 * p->n_rotors;
+  return ((uint64_t)1 << (ROT_FREE_OWN_COLUMNS + 2 * p->n_rotors)) - 1;
 }
 
 void rot_free_out_of(void *const column[], rot_free_out *out) {

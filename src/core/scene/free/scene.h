@@ -32,8 +32,8 @@ enum { ROT_FREE_ALL_COLUMNS = ROT_FREE_OWN_COLUMNS + 2 * ROT_FREE_MAX_ROTORS };
   ROT_FREE_4_ROTORS(9, 10, 11, 12, with), ROT_FREE_4_ROTORS(13, 14, 15, 16, with)
 /* clang-format on */
 
-/* rot_constraint.shows: column => 1 if the scene shows it, else 0. */
-int rot_free_shows(const void *scene, size_t column);
+/* rot_constraint.shows: scene => mask of the columns that it shows. */
+uint64_t rot_free_shows(const void *scene);
 
 /* Destination of a run. */
 typedef struct rot_free_out {

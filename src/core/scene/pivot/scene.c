@@ -11,8 +11,8 @@
 
 enum { POTENTIAL = ROT_FREE_ALL_COLUMNS, INCLINATION }; /* following those of free bodies */
 
-int rot_pivot_shows(const void *scene, size_t column) {
-  return column >= ROT_FREE_ALL_COLUMNS || rot_free_shows(scene, column);
+uint64_t rot_pivot_shows(const void *scene) {
+  return ~(uint64_t)0 << ROT_FREE_ALL_COLUMNS | rot_free_shows(scene);
 }
 
 static void fill_columns(const rot_free_params *p, size_t n, void *const column[]) {

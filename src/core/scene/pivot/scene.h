@@ -7,7 +7,7 @@
 enum { ROT_PIVOT_MODELS = 11 };
 extern const rot_model_run rot_pivot_runs[ROT_PIVOT_MODELS];
 
-/* rot_constraint.shows: column => 1 if the scene shows it, else 0. */
-int rot_pivot_shows(const void *scene, size_t column);
+/* rot_constraint.shows: scene => mask of the columns that it shows. */
+uint64_t rot_pivot_shows(const void *scene);
 
 #endif
