@@ -57,6 +57,7 @@ checksum_of_text <- function(text) {
 # A chunk's rows as a data frame: row, inputs, outputs, error, status (text).
 rows_table <- function(plan, chunk) {
   columns <- chunk$column
+  # Of a summary no rows are kept.
   if (!length(columns)) {
     columns <- rep(list(double()), length(all_inputs(plan)) + length(plan$outputs))
   }

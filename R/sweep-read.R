@@ -70,6 +70,19 @@ read_sweep <- function(plan, folder, rows, call) {
   new_sweep(plan, read_rows(plan, folder, kept, rows, call), whole, folder)
 }
 
+#' @export
+tbl_sum.rot_sweep <- function(x, ...) {
+  sweep <- attr(x, "sweep", exact = TRUE)
+  if (is.null(sweep$whole)) return(NextMethod())
+  count <- function(n) format(n, big.mark = ",", scientific = FALSE)
+  all <- sweep$whole$kept == sweep$whole$rows
+  c("A rotdyn sweep" = paste0(
+    count(nrow(x)), " x ", ncol(x), ", ", if (all) "all" else count(sweep$whole$kept), " kept of ",
+    count(sweep$whole$rows), " rows",
+    if (!is.null(sweep$folder)) paste(", in", basename(sweep$folder))
+  ))
+}
+
 # The first rows kept, up to a million.
 read_rows <- function(plan, folder, kept, rows, call) {
   limit <- rows %||% 1e6
