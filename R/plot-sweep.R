@@ -116,6 +116,11 @@ sweep_label <- function(name, plan) {
   if (is.na(unit) || unit == "1") label else paste0(label, " (", unit, ")")
 }
 
+# Without the unit.
+sweep_name <- function(names, plan) {
+  sub(" [(][^(]*[)]$", "", vapply(names, sweep_label, "", plan, USE.NAMES = FALSE))
+}
+
 sweep_title <- function(object, base_size, call) {
   plan <- sweep_plan_of(object)
   rows <- paste(count_in_words(plan$n), if (plan$n == 1) "row" else "rows")
@@ -141,7 +146,7 @@ sweep_unknown <- function(object, outputs, call) {
     if (figures$whole[3] > 0) {
       paste0(share(figures$whole[3]), " with an error above ", format(plan$accuracy))
     },
-    if (length(at)) paste0(outputs[at], " infinite in ", vapply(infinite[at], share, ""))
+    if (length(at)) paste0(sweep_name(outputs[at], plan), " infinite in ", vapply(infinite[at], share, ""))
   )
 }
 
@@ -216,7 +221,7 @@ plot_sweep_histogram <- function(object, x, panels, base_size, call) {
       subtitle = sweep_subtitle(c(
         "solid: median; 90 % of the rows between the dashed lines",
         if (length(outside)) {
-          paste0(panels[outside], ": ", format(100 * beyond[outside], digits = 2), " % not shown")
+          paste0(sweep_name(panels[outside], plan), ": ", format(100 * beyond[outside], digits = 2), " % not shown")
         },
         sweep_unknown(object, panels, call)
       ), base_size),
@@ -514,13 +519,12 @@ plot_sweep_indices <- function(object, x, panels, base_size, call) {
   if (!nrow(rows)) {
     abort_rotdyn("No output varies: it has no indices.", "value", call)
   }
-  labels <- vapply(panels, function(name) sub(" [(][^(]*[)]$", "", sweep_label(name, plan)), "")
+  labels <- sweep_name(panels, plan)
   total <- tapply(rows$total, rows$input, max)
-  input <- function(name) sub(" [(][^(]*[)]$", "", sweep_label(name, plan))
   order <- names(sort(total))
   kinds <- c("with others", "alone")
   data <- data.frame(
-    input = factor(rep(rows$input, 2L), order, make.unique(vapply(order, input, ""), " ")),
+    input = factor(rep(rows$input, 2L), order, make.unique(sweep_name(order, plan), " ")),
     percent = 100 * c(rows$total, rows$first), error = 100 * c(rows$total_error, rows$first_error),
     part = factor(rep(kinds, each = nrow(rows)), kinds),
     panel = factor(rep(labels[match(rows$output, panels)], 2L), labels)
@@ -529,7 +533,7 @@ plot_sweep_indices <- function(object, x, panels, base_size, call) {
   largest <- vapply(panels[panels %in% rows$output], function(name) {
     some <- rows[rows$output == name, ]
     one <- which.max(some$total)
-    paste0(labels[panels == name], ": ", input(some$input[one]), " ",
+    paste0(labels[panels == name], ": ", sweep_name(some$input[one], plan), " ",
            format_si(signif(100 * some$total[one], 3)), " %")
   }, "")
   ggplot2::ggplot(data, ggplot2::aes(.data$percent, .data$input, fill = .data$part)) +

@@ -83,6 +83,7 @@ sweep_plan <- function(scene, time_s, design, outputs = NULL, ..., derive = NULL
     }
     plan_of_function(plan, build, given, call)
   }
+  plan$design <- design_in_si(plan, call)
   plan <- plan_derived(plan, derive, call)
   plan <- plan_bound(plan, call)
   plan <- plan_outputs(plan, outputs, call)
@@ -165,6 +166,25 @@ quoted_names <- function(x) {
 }
 
 # ---- inputs -------------------------------------------------------------------------------------
+
+# The design with all laws in SI units: that of the scene's input, or of the name.
+design_in_si <- function(plan, call) {
+  design <- plan$design
+  for (name in names(design$inputs)) {
+    law <- design$inputs[[name]]
+    if (is.null(law$unit)) next
+    need_package("units", "An input with a unit", call)
+    unit <- plan$known$unit[match(name, plan$known$path)]
+    if (!length(unit) || is.na(unit)) unit <- gsub(" ", "*", unit_in_name(name), fixed = TRUE)
+    numbers <- setdiff(names(law)[vapply(law, is.numeric, NA)], c("factor", "weights"))
+    law[numbers] <- lapply(law[numbers], function(x) {
+      as.double(as_si(units::set_units(x, law$unit, mode = "standard"), unit, name, call))
+    })
+    law$unit <- NULL
+    design$inputs[[name]] <- law
+  }
+  design
+}
 
 plan_derived <- function(plan, derive, call) {
   inputs <- names(plan$design$inputs)
