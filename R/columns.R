@@ -469,7 +469,6 @@ column_list <- list(
   c("gravity_alone_m_per_s2", "m/s^2", "acceleration of gravity from this pivot alone"),
   c("output", "", "the quantity computed"),
   c("input", "", "the quantity that contributes"),
-  c("output", "", "name of the output"),
   c("domain", "", "numbers that it takes"),
   c("rows_done", "1", "rows computed and committed"),
   c("rows", "1", "number of rows"),
@@ -482,7 +481,6 @@ column_list <- list(
   c("kept", "1", "rows kept"),
   c("bytes", "B", "size of the file of rows"),
   c("seconds", "s", "time that it took"),
-  c("fault", "", "what is wrong"),
   c("mean_error", "1", "standard error of the mean, in the unit of the row"),
   c("sd", "", "standard deviation"),
   c("min", "", "least value"),
@@ -884,6 +882,7 @@ sweep_inputs_meanings <- c(
   meaning = "in words"
 )
 sweep_outputs_columns <- c("output", "unit", "meaning")
+sweep_outputs_meanings <- c(output = "its name", meaning = "in words")
 sweep_status_columns <- c(
   "rows_done", "rows", "chunks_done", "chunks", "time_left_s", "writing", "owner"
 )
@@ -891,21 +890,23 @@ sweep_status_meanings <- c(rows = "of the sweep")
 sweep_receipt_columns <- c("chunk", "rows", "kept", "bytes", "seconds")
 sweep_receipt_meanings <- c(rows = "computed")
 sweep_check_columns <- c("chunk", "fault")
-sweep_check_meanings <- character()
+sweep_check_meanings <- c(fault = "what is wrong")
 sweep_summary_columns <- c(
   "output", "unit", "mean", "mean_error", "sd", "min", "min_row", "max", "max_row", "finite",
   "infinite"
 )
 sweep_summary_meanings <- c(
+  output = "its name",
   mean = "of the finite values", sd = "their standard deviation, n - 1 in the denominator"
 )
 sweep_quantile_columns <- c("output", "p", "value", "low", "high")
 sweep_quantile_meanings <- c(
+  output = "its name",
   value = "the middle of the interval", low = "lower bound of the quantile",
   high = "upper bound of the quantile"
 )
 sweep_index_columns <- c("output", "input", "first", "first_error", "total", "total_error")
-sweep_index_meanings <- c(input = "the input of the design")
+sweep_index_meanings <- c(output = "its name", input = "the input of the design")
 sweep_audit_columns <- c("row", "model", "other", "verdict", "difference")
 sweep_audit_meanings <- c(
   row = "number of the row", verdict = "of its audit",

@@ -17,7 +17,7 @@
 #' @return `sweep_inputs()`: a tibble with a row for each number and the columns
 #'   `r describe_columns(sweep_inputs_columns, sweep_inputs_meanings)`
 #'   `sweep_outputs()`: a tibble with the columns
-#'   `r describe_columns(sweep_outputs_columns)`
+#'   `r describe_columns(sweep_outputs_columns, sweep_outputs_meanings)`
 #'   Times of events are Inf where there is none up to the last time. `lost_j`, `supplied_j` and
 #'   `balanced` need the audit of the run, some microseconds for each row. Of several rows for each
 #'   time (`rotor`, `link`) an output has the number in brackets: `final_theta_rad[2]`.

@@ -37,8 +37,8 @@
 #'   `rotdyn_error_folder` for a folder with another sweep, with the first difference;
 #'   `rotdyn_error_canary` for a machine whose rows have other bits; `rotdyn_error_chunks` for
 #'   chunks that failed, after all others are done; `rotdyn_error_file` where nothing can be
-#'   written: what is committed stays. `rotdyn_error_package` without \pkg{nanoparquet} or \pkg{yyjsonr},
-#'   which a folder needs.
+#'   written: what is committed stays. `rotdyn_error_package` without \pkg{nanoparquet} or
+#'   \pkg{yyjsonr}, which a folder needs.
 #' @source Apache Parquet format, version 2.9 (2021).
 #' @seealso [sweep_plan()], [sweep_read()], [summary.rot_sweep()].
 #' @concept parallel
