@@ -146,7 +146,9 @@ sweep_unknown <- function(object, outputs, call) {
     if (figures$whole[3] > 0) {
       paste0(share(figures$whole[3]), " with an error above ", format(plan$accuracy))
     },
-    if (length(at)) paste0(sweep_name(outputs[at], plan), " infinite in ", vapply(infinite[at], share, ""))
+    if (length(at)) {
+      paste0(sweep_name(outputs[at], plan), " infinite in ", vapply(infinite[at], share, ""))
+    }
   )
 }
 
@@ -221,7 +223,10 @@ plot_sweep_histogram <- function(object, x, panels, base_size, call) {
       subtitle = sweep_subtitle(c(
         "solid: median; 90 % of the rows between the dashed lines",
         if (length(outside)) {
-          paste0(sweep_name(panels[outside], plan), ": ", format(100 * beyond[outside], digits = 2), " % not shown")
+          paste0(
+            sweep_name(panels[outside], plan), ": ", format(100 * beyond[outside], digits = 2),
+            " % not shown"
+          )
         },
         sweep_unknown(object, panels, call)
       ), base_size),

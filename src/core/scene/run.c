@@ -121,8 +121,8 @@ static rot_status run_model(const job *j, const rot_model *model, const rot_task
   return run->run(j->scene, task, run->method, &rows, j->hooks, info);
 }
 
-/* => not 0 if one of n numbers is Inf or NaN: the exponent has all bits. No number waits for the one
- * before, as in a sum. */
+/* => not 0 if one of n numbers is Inf or NaN: the exponent has all bits. No number waits for the
+ * one before, as in a sum. */
 static uint64_t not_finite(size_t n, const double x[]) {
   uint64_t found = 0;
   for (size_t i = 0; i < n; i++) {
@@ -186,7 +186,8 @@ static void measure_between_rows(const job *j, const rot_model *model, const rot
 
 /* ---- choose and run -------------------------------------------------------------------------- */
 
-/* (out->picked, task) => rows, outcome: errors of the run and of dropped effects, largest values. */
+/* (out->picked, task) => rows, outcome: errors of the run and of dropped effects, largest
+ * values. */
 static void run_picked(const job *j, const rot_task *task, int asked, rot_outcome *out) {
   const rot_constraint *constraint = j->constraint;
   const rot_candidate *c = &out->picked;
@@ -242,7 +243,8 @@ void rot_run_model(const rot_constraint *constraint, const void *scene, const ro
   free(j.memory);
 }
 
-/* The reason of a model whose run failed and tells it so: not the failure counts, but the reason. */
+/* The reason of a model whose run failed and tells it so: not the failure counts, but the
+ * reason. */
 static int refused(const job *j, const rot_query *query, rot_outcome *out) {
   const rot_constraint *c = j->constraint;
   const rot_model *model = out->picked.model;
