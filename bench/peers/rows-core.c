@@ -4,11 +4,13 @@
  *   core MODEL   rot_rows_run(): numbers set, scene built, model run, outputs taken
  *   own MODEL    the model's own run, of scenes built before
  *   build MODEL  the numbers set and the scene built, alone
- *   pair MODEL   the same, and the model's own run of it */
+ *   pair MODEL   the same, and the model's own run of it
+ *   1 MODEL      rot_block_run() of a Sobol design of as many rows, one thread
+ *   2 MODEL      the same, two threads */
 #include <math.h>
 
 #include "child.h"
-#include "sweep/rows.h"
+#include "sweep/block.h"
 
 /* Two numbers that vary, in orders of their own. */
 typedef struct example {
@@ -184,11 +186,49 @@ static int run_own(const bench *b, const void *scene, double output[2]) {
   return status != ROT_OK;
 }
 
+/* A block of rows of a Sobol design. */
+static int run_block(const bench *b, solution *s, int threads) {
+  static const size_t bound[] = {0, 1};
+  static rot_vary law[2];
+  static rot_sweep sweep;
+  static rot_block block;
+  static double *column[4];
+  rot_store store = {0};
+  rot_refusal no;
+  rot_info info;
+  if (!block.status) {
+    for (int k = 0; k < 2; k++) {
+      law[k] = (rot_vary){.kind = ROT_VARY_UNIFORM, .low = -HUGE_VAL, .high = HUGE_VAL};
+      law[k].p[0] = b->of->low[k];
+      law[k].p[1] = b->of->high[k];
+    }
+    sweep.plan = b->plan;
+    sweep.bound = bound;
+    sweep.design = (rot_design){.kind = ROT_DESIGN_SOBOL,
+                                .points = s->n,
+                                .n_inputs = 2,
+                                .input = law,
+                                .seeded = 1,
+                                .seed = 1};
+    if (rot_design_begin(&sweep.design, &store) != ROT_OK) return 1;
+    for (int k = 0; k < 4; k++) column[k] = malloc(s->n * sizeof(double));
+    block =
+        (rot_block){column, column + 2, malloc(s->n * sizeof(int)), malloc(s->n * sizeof(double))};
+  }
+  sweep.threads = threads;
+  const rot_status status = rot_block_run(&sweep, 0, s->n, &block, NULL, &info, &no);
+  memcpy(s->theta_rad, column[2], s->n * sizeof(double));
+  memcpy(s->omega_rad_per_s, column[3], s->n * sizeof(double));
+  s->rhs_calls = 0;
+  return status != ROT_OK;
+}
+
 static int solve(const char *how, solution *s) {
   static bench b;
   const char *model = strchr(how, ' ');
   int failed = 0;
   if (!model || (!b.scene && !open_bench(&b, model + 1, s))) return 1;
+  if (how[0] == '1' || how[0] == '2') return run_block(&b, s, how[0] - '0');
   for (size_t i = 0; i < s->n; i++) {
     double input[2], output[2] = {0.0}, error;
     if (how[0] == 'c') {

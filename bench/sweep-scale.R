@@ -1,0 +1,168 @@
+# What a row of a sweep costs beside the model that computes it, threads, designs, and a sweep of
+# 1e9 rows. From the top of the repository, with the package installed:
+#
+#   Rscript bench/sweep-scale.R               ratios, a minute or two
+#   Rscript bench/sweep-scale.R --rounds=21   more rounds than 7
+#   Rscript bench/sweep-scale.R --billion     1e9 rows with a summary: time, peak memory, summary
+#   Rscript bench/sweep-scale.R --rows=1e7    the same with other rows
+#
+# Contenders take turns, and a ratio is that of neighbouring turns (bench/paired.R). A limit that is
+# missed says so; what could not run is "not measured".
+
+if (!file.exists("bench/sweep-scale.R")) stop("run this from the top of the repository")
+library(rotdyn)
+for (file in c("paired", "peers")) source(file.path("bench", paste0(file, ".R")))
+
+args <- commandArgs(trailingOnly = TRUE)
+value_of <- function(name, otherwise) {
+  at <- startsWith(args, paste0("--", name, "="))
+  if (any(at)) as.numeric(sub(".*=", "", args[at][1])) else otherwise
+}
+rounds <- value_of("rounds", 7)
+
+figure <- function(what, found, limit = NA, least = FALSE, unit = "") {
+  verdict <- if (is.na(limit) || is.na(found)) {
+    ""
+  } else {
+    sprintf(
+      "%s %g: %s", if (least) "at least" else "at most", limit,
+      if (if (least) found >= limit else found <= limit) "yes" else "no"
+    )
+  }
+  shown <- if (is.na(found)) "not measured" else paste0(format(found, digits = 3), unit)
+  cat(sprintf("%-66s %14s  %s\n", what, shown, verdict))
+}
+
+or_not_measured <- function(code) {
+  tryCatch(code, error = function(e) {
+    message("  not measured: ", conditionMessage(e))
+    NA_real_
+  })
+}
+
+# ---- rows in the core ---------------------------------------------------------------------------
+
+# Time of rot_rows_run() over that of the builder and the model's own call, rows that vary alike.
+core_rows <- function(program, n = 2048) {
+  set.seed(1)
+  u <- sample((seq_len(n) - 0.5) / n)
+  for (model in c("incline_exact", "axle_linear", "axle_drag", "free_exact")) {
+    way <- function(name) child(program, paste(name, model), u)
+    rows <- c("theta_rad", "omega_rad_per_s")
+    if (!identical(solve_child(way("core"))[rows], solve_child(way("own"))[rows])) {
+      stop("rows of ", model, " differ from its runs")
+    }
+    result <- suppressMessages(paired("sweep-scale", model, list(
+      contender("builder and own call", way("pair")), contender("row of a sweep", way("core")),
+      contender("own call", way("own")), contender("builder", way("build"))
+    ), rounds))
+    ns <- result$median_us / n * 1e3
+    cat(sprintf(
+      "%s: a row %.0f ns, own call %.0f, builder %.0f\n", model, ns[2], ns[3], ns[4]
+    ))
+    figure("  over own call and builder", result$ratio_median[2], 1.3)
+    figure("  less the builder, over the own call", (ns[2] - ns[4]) / ns[3], 1.3)
+  }
+}
+
+# Blocks of a Sobol design by one thread and by two.
+core_threads <- function(program, n = 65536) {
+  u <- (seq_len(n) - 0.5) / n
+  for (model in c("axle_drag", "free_exact")) {
+    way <- function(threads) child(program, paste(threads, model), u)
+    if (!identical(solve_child(way(1)), solve_child(way(2)))) stop("threads change the rows")
+    result <- suppressMessages(paired("sweep-scale", model, list(
+      contender("two threads", way(2)), contender("one thread", way(1))
+    ), rounds, batches = 3))
+    figure(
+      paste0(model, ": one thread over two, blocks of 65,536 rows"), result$ratio_median[2], 1.8,
+      least = TRUE
+    )
+  }
+}
+
+# ---- the package --------------------------------------------------------------------------------
+
+wheel <- scene_axle(0.0625, 0.8, resistance(0.03))
+
+three_inputs <- function(n) {
+  design_sobol(
+    n, seed = 1, omega0_rad_per_s = vary_uniform(0, 3), theta0_rad = vary_uniform(0, 1),
+    "resistance$viscous_n_m_s" = vary_uniform(0.01, 0.05)
+  )
+}
+
+seven <- c(
+  "final_theta_rad", "final_omega_rad_per_s", "max_omega_rad_per_s", "min_omega_rad_per_s",
+  "max_abs_omega_rad_per_s", "error", "steps"
+)
+
+run_plan <- function(plan, threads) function() sweep_run(plan, threads = threads)
+
+ratio_of <- function(base, other) {
+  paired("sweep-scale", "", list(contender("base", base), contender("other", other)), rounds,
+         batches = 2)$ratio_median[2]
+}
+
+package_sweeps <- function(n = 2^18) {
+  plan <- or_not_measured(sweep_plan(wheel, 2, three_inputs(n), seven, keep = "summary"))
+  table <- as.data.frame(design_rows(three_inputs(n), 1, n))
+  kernel <- function() {
+    spin_up_table(
+      data.frame(
+        moment_of_inertia_kg_m2 = 0.0625, omega0_rad_per_s = table$omega0_rad_per_s,
+        theta0_rad = table$theta0_rad, viscous_n_m_s = table[["resistance$viscous_n_m_s"]]
+      ),
+      torque_steps(0, 0.8), 2, threads = 1
+    )
+  }
+  of_plan <- function(code) if (is.list(plan)) or_not_measured(code) else NA
+  figure(
+    "3 Sobol inputs, 7 outputs, summary: sweep over spin_up_table()",
+    of_plan(ratio_of(kernel, run_plan(plan, 1))), 2
+  )
+  figure(
+    "the same sweep: one thread over two",
+    of_plan(ratio_of(run_plan(plan, 2), run_plan(plan, 1))), 1.8, least = TRUE
+  )
+}
+
+designs <- function() {
+  n <- 2^20
+  design <- three_inputs(2^40)
+  rows <- function() design_rows(design, 1, n)
+  rows()
+  ns <- min(replicate(rounds, system.time(rows())[["elapsed"]])) / (3 * n) * 1e9
+  figure("Sobol design of 2^40 rows: a number", ns, unit = " ns")
+  first_ms <- min(replicate(rounds, system.time(design_rows(design, 2^39, 1))[["elapsed"]])) * 1e3
+  figure("  row 2^39 by its number", first_ms, unit = " ms")
+}
+
+# Peak memory of this process in MB; NA where the system does not tell.
+peak_mb <- function() {
+  if (!file.exists("/proc/self/status")) return(NA_real_)
+  line <- grep("^VmHWM", readLines("/proc/self/status"), value = TRUE)
+  as.numeric(gsub("[^0-9]", "", line)) / 1024
+}
+
+many_rows <- function(n) {
+  plan <- sweep_plan(wheel, 2, three_inputs(n), seven, keep = "summary")
+  before <- peak_mb()
+  took <- system.time(sweep <- sweep_run(plan, threads = 2))[["elapsed"]]
+  figure(paste(format(n, big.mark = ","), "rows with a summary"), took, unit = " s")
+  figure("  a row", took / n * 1e9, unit = " ns")
+  if (n < 1e9) figure("  1e9 rows at this rate", took / n * 1e9 / 60, unit = " min")
+  figure("  peak memory above the session", peak_mb() - before, unit = " MB")
+  print(summary(sweep))
+}
+
+if ("--billion" %in% args || any(startsWith(args, "--rows="))) {
+  many_rows(value_of("rows", 1e9))
+} else {
+  program <- compile_program("rows-core", c(core_files(), r_config("SHLIB_OPENMP_CFLAGS")))
+  core_rows(program)
+  core_threads(program)
+  designs()
+  package_sweeps()
+}
+unlink(scratch, recursive = TRUE)
