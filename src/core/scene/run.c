@@ -186,8 +186,7 @@ static void measure_between_rows(const job *j, const rot_model *model, const rot
 
 /* ---- choose and run -------------------------------------------------------------------------- */
 
-/* (out->picked, task) => rows, outcome: errors of the run and of dropped effects, largest
- * values. */
+/* (out->picked, task) => rows, outcome: errors of the run and of dropped effects, sizes. */
 static void run_picked(const job *j, const rot_task *task, int asked, rot_outcome *out) {
   const rot_constraint *constraint = j->constraint;
   const rot_candidate *c = &out->picked;
@@ -243,8 +242,7 @@ void rot_run_model(const rot_constraint *constraint, const void *scene, const ro
   free(j.memory);
 }
 
-/* The reason of a model whose run failed and tells it so: not the failure counts, but the
- * reason. */
+/* 1 if the run failed since the model does not take the scene: then the reason counts. */
 static int refused(const job *j, const rot_query *query, rot_outcome *out) {
   const rot_constraint *c = j->constraint;
   const rot_model *model = out->picked.model;
