@@ -457,7 +457,7 @@ plot_sweep_map <- function(object, x, panels, base_size, call) {
     (if (few) {
       ggplot2::scale_fill_manual(
         values = stats::setNames(line_colours(length(found)), found), na.value = "grey75",
-        name = labels[3], drop = FALSE, na.translate = FALSE
+        name = labels[3], breaks = found, drop = FALSE
       )
     } else {
       ggplot2::scale_fill_viridis_c(
@@ -482,7 +482,11 @@ plot_sweep_map <- function(object, x, panels, base_size, call) {
       )
     ) +
     plot_theme(base_size) +
-    ggplot2::theme(panel.grid = ggplot2::element_blank())
+    # Room between the bar and its numbers.
+    ggplot2::theme(
+      panel.grid = ggplot2::element_blank(),
+      legend.spacing.y = ggplot2::unit(if (few) 0 else 0.3 * base_size, "pt")
+    )
 }
 
 abort_no_grid <- function(call) {

@@ -53,6 +53,27 @@ classes <- alist(
       static_friction = 0.3
     ), time_s = 2
   ),
+  rot_sweep = sweep_run(sweep_plan(
+    wheel, time_s = 60,
+    design_sobol(4096, seed = 1, "resistance$viscous_n_m_s" = vary_lognormal(0.03, 1.2))
+  )),
+  rot_sweep.map = sweep_run(sweep_plan(
+    wheel, time_s = 8, design_grid(
+      "body$mass_kg" = seq(0.5, 4, by = 0.1), "resistance$viscous_n_m_s" = seq(0.01, 0.3, by = 0.01)
+    ), outputs = "max_abs_omega_rad_per_s"
+  )),
+  rot_sweep.lines = sweep_run(sweep_plan(
+    wheel, time_s = 8, design_grid(
+      "body$mass_kg" = seq(0.5, 4, by = 0.1), "resistance$viscous_n_m_s" = c(0.01, 0.03, 0.1)
+    )
+  )),
+  rot_sweep.indices = sweep_run(sweep_plan(
+    wheel, time_s = 8, design_saltelli(
+      1024, seed = 1, "body$mass_kg" = vary_normal(2, 0.1),
+      "body$radius_m" = vary_normal(0.25, 0.01),
+      "resistance$viscous_n_m_s" = vary_lognormal(0.03, 1.2)
+    )
+  )),
   rot_work_precision = work_precision(
     scene_pendulum(body_rod_end(0.2, 0.6), theta0_rad = 1), seq(0, 5, by = 0.5),
     accuracies = 10^-(3:10), min_batch_s = 0.002
@@ -227,7 +248,11 @@ animations <- alist(
 
 # Classes that print and have no picture, and why.
 exceptions <- c(
-  rot_table = "rows of any kind: their columns are drawn by ggplot2 as one likes"
+  rot_table = "rows of any kind: their columns are drawn by ggplot2 as one likes",
+  rot_vary = "a law of one input: a line of text says it",
+  rot_design = "a rule from numbers to inputs: design_rows() has its points",
+  rot_sweep_plan = "a sweep before it is run: the sweep has the pictures",
+  rot_sweep_summary = "figures of a sweep: the sweep has the pictures"
 )
 
 # ---- what the examples share --------------------------------------------------------------------
