@@ -45,8 +45,8 @@ const rot_model *rot_choice_model(const rot_constraint *constraint, const char *
 
 /* ---- one model ------------------------------------------------------------------------------- */
 
-/* (model, scene, effects) => candidate, without dropping effects and without predicted time. asks 0:
- * without the model's own reason. A NaN accuracy compares false: no model reaches it. */
+/* (model, scene, effects) => candidate, without dropping effects and without predicted time; asks
+ * 0: without the model's own reason. A NaN accuracy compares false: no model reaches it. */
 static void judge(const rot_constraint *constraint, const rot_model *model, unsigned effects,
                   const void *scene, const rot_query *query, int asks, rot_candidate *out) {
   out->model = model;
