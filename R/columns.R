@@ -479,7 +479,7 @@ column_list <- list(
   c("owner", "", "host and process that coordinate"),
   c("chunk", "1", "number of the chunk"),
   c("kept", "1", "rows kept"),
-  c("bytes", "B", "size of the file of rows"),
+  c("bytes", "1", "size of the file of rows, in bytes"),
   c("seconds", "s", "time that it took"),
   c("mean_error", "1", "standard error of the mean, in the unit of the row"),
   c("sd", "", "standard deviation"),

@@ -37,6 +37,13 @@
 #' sweep_digest(sweep)
 #' fastest <- which.max(sweep$final_theta_rad)
 #' trajectory(sweep_scene(sweep, sweep$row[fastest]), c(0, 60))
+#'
+#' @examplesIf all(c("nanoparquet", "yyjsonr") %in% rownames(utils::installed.packages()))
+#' folder <- tempfile("wheels-")
+#' identical(sweep_digest(sweep_run(plan, folder)), sweep_digest(sweep))
+#' sweep_check(folder)
+#' sweep_read(folder, rows = 3)
+#' unlink(folder, recursive = TRUE)
 #' @export
 sweep_read <- function(folder, ..., rows = NULL) {
   call <- check_no_dots(...)

@@ -56,6 +56,12 @@
 #' sweep_run(plan, folder)
 #' sweep_status(folder)
 #' dir(folder, recursive = TRUE)
+#' # A part is lost: it is computed again. So jobs of an array compute theirs.
+#' unlink(file.path(folder, "sums", "part-00000001.parquet"))
+#' sweep_todo(folder)
+#' sweep_chunk(folder, 1)
+#' sweep_work(folder, part = 1, parts = 3)
+#' sweep_resume(folder)
 #' unlink(folder, recursive = TRUE)
 #' @export
 sweep_run <- function(plan, folder = NULL, ..., threads = 1, compute = NULL) {

@@ -52,6 +52,7 @@
 #' summary(sweep)
 #' quantile(sweep, c(0.01, 0.99))
 #' sweep_indices(sweep)
+#' sweep_audit(sweep, rows = 3)
 #' @export
 summary.rot_sweep <- function(object, probs = c(0.05, 0.5, 0.95), ...) {
   call <- check_no_dots(...)

@@ -79,7 +79,7 @@ SEXP ffi_sweep_rows(SEXP x, SEXP first, SEXP rows, SEXP progress) {
   static const char *const names[] = {"input", "output", "status", "error", ""};
   char fault[FFI_OBJECT_FAULT];
   const double n = ffi_real(rows, "rows");
-  if (!(n >= 0.0 && n <= ROT_BLOCK_MOST)) Rf_error("internal: `rows`");
+  if (!(n >= 0.0 && n <= ROT_BLOCK_MAX)) Rf_error("internal: `rows`");
   const uint64_t from = ffi_whole(first, "first", (uint64_t)1 << 52);
   rot_sweep sweep = ffi_sweep(x);
   const size_t n_inputs = sweep.design.n_inputs + sweep.n_derived;

@@ -67,12 +67,12 @@ static int put_numbers(rot_object *to, const char *input, const char *kind, SEXP
 
 /* The rows of a matrix, as items of a list. */
 static int put_matrix(rot_object *to, const char *input, const char *kind, SEXP x, reading *r) {
-  enum { MOST = 64 };
+  enum { MAX_COLUMNS = 64 };
   const R_xlen_t rows = Rf_nrows(x), columns = Rf_ncols(x);
   rot_object *list = rot_object_new("list");
-  int ok = list != NULL && columns <= MOST;
+  int ok = list != NULL && columns <= MAX_COLUMNS;
   for (R_xlen_t i = 0; i < rows && ok; i++) {
-    double row[MOST];
+    double row[MAX_COLUMNS];
     for (R_xlen_t k = 0; k < columns; k++) row[k] = REAL_RO(x)[i + k * rows];
     ok = rot_object_numbers(list, NULL, (size_t)columns, row) == ROT_SET_DONE;
   }

@@ -148,7 +148,7 @@ random_attitude <- function() {
 }
 
 # A body, a tensor, or three moments.
-random_tensor <- function() {
+random_moments <- function() {
   turn <- qr.Q(qr(matrix(stats::rnorm(9), 3)))
   tensor <- turn %*% diag(c(0.1, 0.15, 0.2)) %*% t(turn)
   one_of(
@@ -158,7 +158,7 @@ random_tensor <- function() {
 
 random_free <- function() {
   scene_free(
-    random_tensor(), stats::rnorm(3), attitude0 = random_attitude(), torque = random_torques(),
+    random_moments(), stats::rnorm(3), attitude0 = random_attitude(), torque = random_torques(),
     torque_axes = one_of("body", "space"),
     resistance = resistance(damping_per_s = one_of(0, 0.1)), rotors = random_wheels(),
     start_s = one_of(0, 1)
@@ -167,7 +167,7 @@ random_free <- function() {
 
 random_pivot <- function() {
   top <- stats::runif(1) < 0.4
-  body <- if (top) c(0.0042, 0.0042, 0.002) else random_tensor()
+  body <- if (top) c(0.0042, 0.0042, 0.002) else random_moments()
   own <- inherits(body, "rot_body")
   arguments <- list(
     body, if (top) c(0, 0, one_of(60, 600)) else stats::rnorm(3), attitude0 = random_attitude(),

@@ -108,17 +108,17 @@ static int find_extremes(size_t n, const double x[], double *minimum, double *ma
   double low[LANES], high[LANES], bad[LANES];
   size_t i = 0;
 #define BEGIN(r)                                                                                   \
-  rot_pair least##r = ROT_BOTH(-INFINITY), most##r = ROT_BOTH(-INFINITY), bad##r = ROT_BOTH(0.0);
+  rot_pair lower##r = ROT_BOTH(-INFINITY), upper##r = ROT_BOTH(-INFINITY), bad##r = ROT_BOTH(0.0);
 #define LOOK(r)                                                                                    \
   {                                                                                                \
     const rot_pair v = rot_load(x + i + (r)*ROT_PAIR);                                             \
-    most##r = rot_pair_max(v, most##r);                                                            \
-    least##r = rot_pair_max(-v, least##r);                                                         \
+    upper##r = rot_pair_max(v, upper##r);                                                          \
+    lower##r = rot_pair_max(-v, lower##r);                                                         \
     bad##r += v * ROT_BOTH(0.0);                                                                   \
   }
 #define END(r)                                                                                     \
-  rot_store(low + (r)*ROT_PAIR, least##r);                                                         \
-  rot_store(high + (r)*ROT_PAIR, most##r);                                                         \
+  rot_store(low + (r)*ROT_PAIR, lower##r);                                                         \
+  rot_store(high + (r)*ROT_PAIR, upper##r);                                                        \
   rot_store(bad + (r)*ROT_PAIR, bad##r);
   EACH(BEGIN)
   for (; i + LANES <= n; i += LANES) {

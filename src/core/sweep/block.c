@@ -9,7 +9,7 @@ typedef struct frame {
   const rot_block *block;
 } frame;
 
-enum { MOST_INPUTS = 64 };
+enum { MAX_INPUTS = 64 };
 
 /* Rows first .. last - 1, for rot_parallel_rows(). */
 static void run_part(const void *of, size_t first, size_t last) {
@@ -18,7 +18,7 @@ static void run_part(const void *of, size_t first, size_t last) {
   rot_rows_worker *worker;
   rot_refusal no;
   const rot_status opened = rot_rows_open(plan, &worker, &no);
-  double input[MOST_INPUTS], output[MOST_INPUTS];
+  double input[MAX_INPUTS], output[MAX_INPUTS];
   for (size_t i = first; i < last; i++) {
     int status = (int)opened;
     f->block->error[i] = NAN;
@@ -40,8 +40,8 @@ rot_status rot_block_run(const rot_sweep *sweep, uint64_t first, size_t n, const
   const rot_row_plan *plan = &sweep->plan;
   const frame f = {sweep, block};
   rot_info_clear(info, NULL);
-  if (plan->n_inputs > MOST_INPUTS || plan->n_outputs > MOST_INPUTS) {
-    return rot_refuse(no, 0, "has more than %d inputs or outputs", (int)MOST_INPUTS);
+  if (plan->n_inputs > MAX_INPUTS || plan->n_outputs > MAX_INPUTS) {
+    return rot_refuse(no, 0, "has more than %d inputs or outputs", (int)MAX_INPUTS);
   }
   rot_rows_worker *worker; /* checks the plan once */
   rot_status status = rot_rows_open(plan, &worker, no);

@@ -8,7 +8,7 @@
 #include "design/formula.h"
 #include "sweep/rows.h"
 
-enum { ROT_BLOCK_MOST = 65536 }; /* rows */
+enum { ROT_BLOCK_MAX = 65536 }; /* rows */
 
 typedef struct rot_sweep {
   rot_row_plan plan; /* its inputs are `bound` */
@@ -20,7 +20,7 @@ typedef struct rot_sweep {
   int threads;
 } rot_sweep;
 
-/* Columns of up to ROT_BLOCK_MOST rows. */
+/* Columns of up to ROT_BLOCK_MAX rows. */
 typedef struct rot_block {
   double *const *input;  /* n_inputs of the design, then n_derived */
   double *const *output; /* n_outputs of the plan */

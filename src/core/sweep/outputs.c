@@ -96,13 +96,13 @@ int rot_output_audits(const rot_output_of *output) {
 
 void rot_outputs_walk(const rot_constraint *c, const void *scene, rot_output_visit visit,
                       void *ctx) {
-  const size_t copies = rot_run_rows_per_time(c, scene);
+  const size_t rows_each = rot_run_rows_per_time(c, scene);
   const unsigned effects = c->effects_of(scene);
   char name[NAME + 16];
   for (int k = 0; k < OF_COLUMN; k++) {
     for (size_t i = 0; i < c->n_columns; i++) {
       if (!rot_run_shows(c, scene, effects, i)) continue;
-      for (size_t copy = 1; copy <= copies; copy++) {
+      for (size_t copy = 1; copy <= rows_each; copy++) {
         const int used =
             snprintf(name, sizeof name, "%s%s", of_column[k].prefix, c->columns[i].name);
         if (c->index && used > 0 && (size_t)used < sizeof name) {
@@ -155,7 +155,7 @@ static double of_times(const rot_output_run *run, const rot_output_of *output) {
   return found;
 }
 
-/* Places of events below 0: what couples the copies. */
+/* Places of events below 0: what couples the rows of a time. */
 static int is_event(const rot_output_run *run, const rot_output_of *output, size_t i) {
   const rot_events *events = &run->outcome->events;
   return events->event[i] == (rot_event)output->at &&

@@ -10,7 +10,7 @@
 const char *rot_row_status_name(int status) {
   if (status == ROT_OK) return "ok";
   if (status > 0 && status < ROT_STATUS_COUNT) return rot_status_kind((rot_status)status);
-  return status == ROT_ROW_NO_MODEL ? "model" : status == ROT_ROW_COPIES ? "copies" : NULL;
+  return status == ROT_ROW_NO_MODEL ? "model" : status == ROT_ROW_COUNT ? "count" : NULL;
 }
 
 struct rot_rows_worker {
@@ -23,7 +23,7 @@ struct rot_rows_worker {
   rot_output_of *outputs;
   const char **paths;      /* without the time */
   size_t n_paths, time_at; /* the place of the time among the inputs; n_inputs: it does not vary */
-  size_t rows_per_time, most_times;
+  size_t rows_per_time, max_times;
   int audits; /* an output needs flows */
   void *column[ROT_MAX_COLUMNS];
   double *flow[ROT_MAX_FLOWS], flow_error[ROT_MAX_FLOWS];
@@ -37,15 +37,15 @@ static int has_input(const rot_object *scene, const char *name) {
 
 static rot_status open_memory(rot_rows_worker *w) {
   const rot_constraint *c = w->constraint;
-  const size_t each = w->most_times * w->rows_per_time;
-  if (w->most_times > SIZE_MAX / 1024 / w->rows_per_time) return ROT_ENOMEM;
+  const size_t each = w->max_times * w->rows_per_time;
+  if (w->max_times > SIZE_MAX / 1024 / w->rows_per_time) return ROT_ENOMEM;
   double *columns = rot_store_get(&w->store, c->n_columns * each, sizeof *columns);
-  double *flows = rot_store_get(&w->store, c->n_flows * w->most_times, sizeof *flows);
-  w->time_s = rot_store_get(&w->store, w->most_times, sizeof *w->time_s);
+  double *flows = rot_store_get(&w->store, c->n_flows * w->max_times, sizeof *flows);
+  w->time_s = rot_store_get(&w->store, w->max_times, sizeof *w->time_s);
   w->cell = rot_store_get(&w->store, 2 * c->n_columns * w->rows_per_time, sizeof *w->cell);
   if (!columns || !flows || !w->time_s || !w->cell) return ROT_ENOMEM;
   for (size_t i = 0; i < c->n_columns; i++) w->column[i] = columns + i * each;
-  for (size_t k = 0; k < c->n_flows; k++) w->flow[k] = flows + k * w->most_times;
+  for (size_t k = 0; k < c->n_flows; k++) w->flow[k] = flows + k * w->max_times;
   return ROT_OK;
 }
 
@@ -96,7 +96,7 @@ rot_status rot_rows_open(const rot_row_plan *plan, rot_rows_worker **to, rot_ref
   if (!w) return ROT_ENOMEM;
   w->plan = plan;
   w->time_at = plan->n_inputs;
-  w->most_times = plan->n_times + 2;
+  w->max_times = plan->n_times + 2;
   const rot_status status = open_worker(w, no);
   if (status == ROT_OK)
     *to = w;
@@ -226,7 +226,7 @@ int rot_rows_run(rot_rows_worker *w, const double input[], double output[], doub
   if (model) *model = NULL;
   int status = (int)build_row(w, input, &scene, &n, no ? no : &own);
   if (status == ROT_OK && rot_run_rows_per_time(w->constraint, scene) != w->rows_per_time) {
-    status = ROT_ROW_COPIES;
+    status = ROT_ROW_COUNT;
   }
   if (status == ROT_OK) status = run_row(w, scene, n, &o, output, error);
   rot_events_free(&o.events);

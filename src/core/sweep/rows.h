@@ -8,10 +8,10 @@
 /* The status of a row: a rot_status, or one of these. */
 enum {
   ROT_ROW_NO_MODEL = ROT_STATUS_COUNT, /* the model does not take the scene */
-  ROT_ROW_COPIES,                      /* another number of rows for each time */
+  ROT_ROW_COUNT,                       /* another number of rows for each time */
   ROT_ROW_STATUS_COUNT
 };
-/* => short name: "ok", "value", ..., "model", "copies"; NULL: no such status */
+/* => short name: "ok", "value", ..., "model", "count"; NULL: no such status */
 const char *rot_row_status_name(int status);
 
 typedef struct rot_row_plan {

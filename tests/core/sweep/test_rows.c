@@ -317,7 +317,7 @@ static void names_of_status(void) {
   ROT_CHECK(!strcmp(rot_row_status_name(ROT_OK), "ok"));
   ROT_CHECK(!strcmp(rot_row_status_name(ROT_EVALUE), "value"));
   ROT_CHECK(!strcmp(rot_row_status_name(ROT_ROW_NO_MODEL), "model"));
-  ROT_CHECK(!strcmp(rot_row_status_name(ROT_ROW_COPIES), "copies"));
+  ROT_CHECK(!strcmp(rot_row_status_name(ROT_ROW_COUNT), "count"));
   ROT_CHECK(!rot_row_status_name(-1) && !rot_row_status_name(ROT_ROW_STATUS_COUNT));
 }
 
