@@ -242,6 +242,26 @@ static void energies(void) {
   rot_object_free(dry);
 }
 
+/* Between two times before the start, where neither flow is 0: what resistance took is what the
+ * torque supplied less what the energy gained. */
+static void energies_before_the_start(void) {
+  static const char *const name[] = {"supplied_j",
+                                     "lost_j",
+                                     "final_rotational_kinetic_energy_j",
+                                     "min_rotational_kinetic_energy_j",
+                                     "final_theta_rad",
+                                     "min_theta_rad",
+                                     "max_theta_rad"};
+  static const double x[] = {2.0, 0.03, 20.0}, time_s[] = {-2.0, -1.0};
+  rot_object *wheel = make_wheel(x);
+  double v[MOST];
+  ROT_CHECK_EQ_INT(outputs(wheel, "axle_linear", 2, time_s, 7, name, v), ROT_OK);
+  ROT_CHECK(v[1] > 0.0 && v[2] > v[3] && same_bits(v[4], v[6]));
+  ROT_CHECK_REL(v[0], 0.8 * (v[6] - v[5]), 1e-12);
+  ROT_CHECK_REL(v[2] - v[3], v[0] - v[1], 1e-12);
+  rot_object_free(wheel);
+}
+
 /* Flags, columns that the scene does not show, copies that it does not have. */
 static void cells(void) {
   static const double x[] = {0.1, 30.0, 0.05}, y[] = {2.0, 0.03, 1.0}, z[] = {0.5, 0.2, 1.0};
@@ -275,6 +295,7 @@ int main(void) {
   reverses();
   audits();
   energies();
+  energies_before_the_start();
   cells();
   return rot_test_report("outputs");
 }

@@ -249,6 +249,26 @@ static void told_by_the_run(void) {
   rot_object_free(scene);
 }
 
+/* An element of an attitude that is not given: the others are those of (1, 0, 0, 0). */
+static void default_attitude(void) {
+  static const double x[] = {0.25, 2.0, 1.0}, end = 2.0, times[] = {0.0, 2.0};
+  static const char *const input = "attitude0[2]", *const output = "final_qw";
+  rot_object *box = make_box(x);
+  const rot_row_plan plan = {box, 1, &input, 1, &end, "free_exact", 0, 1e-9, 1e6, 1, &output};
+  rot_rows_worker *w;
+  rot_refusal no;
+  double value, error;
+  const double turned = 0.7;
+  ROT_CHECK(rot_rows_open(&plan, &w, &no) == ROT_OK);
+  ROT_CHECK_EQ_INT(rot_rows_run(w, &turned, &value, &error, NULL, NULL), ROT_OK);
+  puts_of(box, "attitude0", 4, (const double[]){1.0, turned, 0.0, 0.0});
+  kit_run r = kit_run_of(box, "free_exact", 1e-9, 2, times);
+  ROT_CHECK(same_bits(value, kit_cell(&r, 0, 1, 0)) && same_bits(error, r.out.error));
+  kit_free(&r);
+  rot_rows_close(w);
+  rot_object_free(box);
+}
+
 /* Plans that are refused: the place of what is wrong. */
 static void refused_plans(void) {
   static const double x[] = {2.0, 0.03, 1.0}, end = 2.0;
@@ -328,6 +348,7 @@ int main(void) {
   backwards();
   refused_rows();
   told_by_the_run();
+  default_attitude();
   refused_plans();
   model_of_all();
   names_of_status();
