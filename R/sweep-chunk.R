@@ -9,7 +9,7 @@ chunk_of_sweep <- function(plan, first, n, threads = 1, progress = NULL, call,
     keep = match(plan$keep, c("summary", "rows", "some")) - 1, condition = plan$condition,
     shift = plan$shift %||% double(length(plan$outputs)), replicates = 16, run = plan$group_rows
   )
-  rows <- if (plan$way == "scene") rows_of_scenes(plan, first, n, progress, call)
+  rows <- if (plan$kind == "scene") rows_of_scenes(plan, first, n, progress, call)
   found <- .Call(ffi_sweep_chunk, core_sweep(plan, threads), how, rows, progress)
   if (!is.null(found$refused)) abort_refused(found, plan, call)
   found
@@ -18,7 +18,7 @@ chunk_of_sweep <- function(plan, first, n, threads = 1, progress = NULL, call,
 # What follows from the design of how sums are made: rows of a block, and how many rows, or base
 # points, in a row are of one group of the standard errors.
 plan_sums <- function(plan) {
-  adaptive <- plan$way == "scene" || is_adaptive(plan)
+  adaptive <- plan$kind == "scene" || is_adaptive(plan)
   plan$block_rows <- if (adaptive) 2^8 else 2^16
   points <- if (plan$design$kind == "saltelli") plan$design$n else plan$n
   plan$group_rows <- if (plan$design$kind %in% c("random", "latin")) 1 else ceiling(points / 16)

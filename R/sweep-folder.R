@@ -13,7 +13,7 @@ plan_record <- function(plan) {
     design = design_record(plan$design),
     derived = lapply(plan$derived, `[[`, "text"), outputs = as.list(plan$outputs),
     model = plan$model, asked = plan$asked, accuracy = plan$accuracy, max_steps = plan$max_steps,
-    way = plan$way, keep = plan$keep, condition = plan$condition$text,
+    kind = plan$kind, keep = plan$keep, condition = plan$condition$text,
     audit_rows = plan$audit_rows, shift = as.list(plan$shift), block_rows = plan$block_rows,
     group_rows = plan$group_rows, rows = plan$n
   )
@@ -134,7 +134,7 @@ plan_of_record <- function(x) {
   numbers <- function(x) as.double(unlist(x))
   plan <- list(
     design = design_of_record(x$design), n = x$rows, time_s = numbers(x$time_s),
-    accuracy = x$accuracy, audit_rows = x$audit_rows, max_steps = x$max_steps, way = x$way,
+    accuracy = x$accuracy, audit_rows = x$audit_rows, max_steps = x$max_steps, kind = x$kind,
     model = x$model, asked = isTRUE(x$asked), keep = x$keep, outputs = texts(x$outputs),
     output_unit = texts(x$columns), shift = numbers(x$shift), block_rows = x$block_rows,
     group_rows = x$group_rows, chunk_rows = x$chunk_rows, row_s = x$row_s, hash = x$hash,

@@ -101,7 +101,7 @@ sweep_plan <- function(scene, time_s, design, outputs = NULL, ..., derive = NULL
 plan_of_scene <- function(plan, scene, call) {
   plan$node <- scene_node_with_functions(scene, call)
   plan$known <- inputs_that_vary(plan$node)
-  plan$way <- if (has_functions(plan$node)) "scene" else "core"
+  plan$kind <- if (has_functions(plan$node)) "scene" else "core"
   plan$constraint <- constraint_of(scene)$id
   plan
 }
@@ -130,7 +130,7 @@ plan_of_function <- function(plan, build, given, call) {
   environment(build) <- list2env(given, parent = the_namespace())
   plan$build <- build
   plan$given <- given
-  plan$way <- "scene"
+  plan$kind <- "scene"
   plan
 }
 
@@ -325,7 +325,7 @@ spread_rows <- function(plan, m) unique(floor(seq(1, plan$n, length.out = min(m,
 
 plan_model <- function(plan, model, call) {
   plan$asked <- !is.null(model)
-  if (plan$way == "scene") {
+  if (plan$kind == "scene") {
     plan$model <- if (plan$asked) check_string(model, "model", NULL, call)
     return(plan)
   }
@@ -432,9 +432,9 @@ row_bytes <- function(plan) {
 
 check_chunk_rows <- function(chunk_rows, plan, call) {
   if (is.null(chunk_rows)) {
-    most <- if (plan$keep == "rows") 2^22 else 2^26
+    limit <- if (plan$keep == "rows") 2^22 else 2^26
     rows <- 2^round(log2(10 / plan$row_s))
-    return(max(min(rows, most), plan$block_rows, 2^ceiling(log2(plan$n / 65536))))
+    return(max(min(rows, limit), plan$block_rows, 2^ceiling(log2(plan$n / 65536))))
   }
   chunk_rows <- check_number(chunk_rows, "chunk_rows", "1", call, plan$block_rows, 2^30)
   if (chunk_rows != 2^round(log2(chunk_rows))) {
@@ -459,13 +459,13 @@ print.rot_sweep_plan <- function(x, ...) {
     inputs = paste(names(x$design$inputs), collapse = ", "),
     derived = paste(names(x$derived), collapse = ", "),
     outputs = paste(x$outputs, collapse = ", "),
-    way = way_words(x),
+    kind = kind_words(x),
     takes = if (!is.null(x$taken) && x$taken < 1) {
       paste0("the model takes ", format(100 * x$taken, digits = 3), " % of the rows looked at")
     },
     time = paste0(seconds_words(x$n * x$row_s), " in one thread (",
                   prefixed(x$row_s, "s"), " a row, measured)"),
-    keeps = kept_words(x),
+    kept = kept_words(x),
     chunks = paste0(count(n_chunks(x)), " of ", count(x$chunk_rows), " rows (",
                     seconds_words(x$chunk_rows * x$row_s), "): what a lost worker costs")
   )
@@ -476,8 +476,8 @@ print.rot_sweep_plan <- function(x, ...) {
   invisible(x)
 }
 
-way_words <- function(plan) {
-  switch(plan$way,
+kind_words <- function(plan) {
+  switch(plan$kind,
     core = "core: scene and model in C, row by row", table = "table: many rows at a time in C",
     scene = "scene: trajectory() for each row"
   )

@@ -23,7 +23,7 @@ row_statuses <- function() {
 # the design's and the derived inputs, of the outputs, places of row_statuses() from 0, error
 # figures.
 rows_of_sweep <- function(plan, first, n, threads = 1, progress = NULL, call) {
-  if (plan$way == "scene") return(rows_of_scenes(plan, first, n, progress, call))
+  if (plan$kind == "scene") return(rows_of_scenes(plan, first, n, progress, call))
   found <- .Call(ffi_sweep_rows, core_sweep(plan, threads), first - 1, n, progress)
   if (!is.null(found$refused)) abort_refused(found, plan, call)
   found

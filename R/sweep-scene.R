@@ -77,15 +77,15 @@ outputs_of_motion <- function(motion, outputs) {
     if (!is.null(index)) x <- x[motion[[index]] == place]
     x <- as.double(x)
     switch(kind,
-      final = if (length(x)) x[length(x)] else NaN, max = most(x), min = -most(-x),
-      max_abs = most(abs(x))
+      final = if (length(x)) x[length(x)] else NaN, max = largest_known(x), min = -largest_known(-x),
+      max_abs = largest_known(abs(x))
     )
   }, double(1), USE.NAMES = FALSE)
   replace(values, is.na(values), NaN)
 }
 
 # NaN where all are.
-most <- function(x) {
+largest_known <- function(x) {
   x <- x[!is.nan(x) & !is.na(x)]
   if (length(x)) max(x) else NaN
 }

@@ -207,9 +207,11 @@ test_that("whatever has a print says the answer in its first five lines, with un
     }
     options(old)
   }
-  # Every class that has a print is here; that of a record computed again is in test-records.R.
+  # Every class that has a print is here; that of a record computed again is in test-records.R,
+  # those of sweeps are in test-sweep-plan.R and test-sweep-summary.R.
   methods <- ls(.BaseNamespaceEnv[[".__S3MethodsTable__."]], pattern = "^print\\.rot_")
-  expect_identical(setdiff(sub("^print\\.", "", methods), seen), "rot_rerun")
+  expect_identical(setdiff(sub("^print\\.", "", methods), seen),
+                   c("rot_rerun", "rot_sweep_plan", "rot_sweep_summary"))
 })
 
 test_that("a motion whose noise is shown as 0 keeps its error figure", {

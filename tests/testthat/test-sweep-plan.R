@@ -88,7 +88,7 @@ test_that("the print says what the sweep will take", {
                                              omega0_rad_per_s = 1:1000, start_s = 1:1000))
   said <- capture.output(print(plan))
   expect_match(said[1], "1,000,000,000,000 rows, scene_axle, axle_drag")
-  expect_true(any(grepl("^  keeps +all rows: [0-9.]+ TB$", said)))
+  expect_true(any(grepl("^  kept +all rows: [0-9.]+ TB$", said)))
   expect_true(all(nchar(said) <= 80))
   expect_error(sweep_run(plan), class = "rotdyn_error_memory")
   expect_identical(prefixed(2.22e-6, "s"), "2.22 us")

@@ -16,7 +16,7 @@ one_input <- function(scene, path, values, outputs, time_s) {
 by_trajectory <- function(plan) {
   plan$asked <- !is.null(plan$model)
   core <- rows_of_sweep(plan, 1, plan$n, call = call)
-  plan$way <- "scene"
+  plan$kind <- "scene"
   list(core = core, r = rows_of_sweep(plan, 1, plan$n, call = call))
 }
 

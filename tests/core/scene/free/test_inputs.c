@@ -188,7 +188,7 @@ static void check_breaks(void) {
   rot_free_built built;
   give(scene, "rotors", wheel(BY_TABLE, 1.0, NULL), ROTDYN_OK);
   ROT_CHECK(rotdyn_set_numbers(scene, "breaks_s", 2, breaks) == ROTDYN_OK);
-  ROT_CHECK(rot_api_given(scene, &store, &given, &no) == ROT_OK);
+  ROT_CHECK(rot_object_given(scene, &store, &given, &no) == ROT_OK);
   ROT_CHECK(rot_free_build(given, &store, &built, &no) == ROT_OK);
   ROT_CHECK_EQ_INT(built.params.n_breaks, 3);
   ROT_CHECK(!memcmp(built.params.breaks_s, want, sizeof want));
