@@ -77,8 +77,8 @@ outputs_of_motion <- function(motion, outputs) {
     if (!is.null(index)) x <- x[motion[[index]] == place]
     x <- as.double(x)
     switch(kind,
-      final = if (length(x)) x[length(x)] else NaN, max = largest_known(x), min = -largest_known(-x),
-      max_abs = largest_known(abs(x))
+      final = if (length(x)) x[length(x)] else NaN, max = largest_known(x),
+      min = -largest_known(-x), max_abs = largest_known(abs(x))
     )
   }, double(1), USE.NAMES = FALSE)
   replace(values, is.na(values), NaN)
