@@ -58,7 +58,8 @@ read_sweep <- function(plan, folder, rows, call) {
   missing <- which(vapply(parts, is.null, NA))
   if (length(missing)) {
     abort_rotdyn(c(
-      "{length(missing)} of {n_chunks(plan)} chunks of {.file {folder}} {?is/are} not done.",
+      "{length(missing)} of {n_chunks(plan)} chunks of {.file {folder}}
+       {cli::qty(length(missing))}{?is/are} not done.",
       i = "{.fn sweep_resume} computes {cli::qty(length(missing))}{?it/them}; {.fn sweep_status}
            says how far it is."
     ), "file", call)

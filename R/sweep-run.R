@@ -71,11 +71,14 @@ sweep_run <- function(plan, folder = NULL, ..., threads = 1, compute = NULL) {
   threads <- check_threads(threads, call)
   if (is.null(folder)) return(run_in_memory(plan, threads, call))
   check_file_name(folder, call, "folder", "folder")
+  check_compute(compute, call)
+  known <- file.exists(file.path(folder, "run.json"))
   kept <- make_sweep_folder(plan, folder, call)
   # The plan of this session has its functions.
   kept[c("node", "known", "build", "given", "untrusted")] <- list(
     plan$node, plan$known, plan$build, plan$given, NULL
   )
+  if (known) check_canary(kept, folder, call)
   run_in_folder(kept, folder, threads, compute, call)
 }
 
@@ -85,6 +88,7 @@ sweep_resume <- function(folder, ..., threads = 1, compute = NULL, trust = FALSE
   call <- check_no_dots(...)
   check_supplied("folder", call)
   threads <- check_threads(threads, call)
+  check_compute(compute, call)
   plan <- open_sweep(folder, trust, call)
   check_canary(plan, folder, call)
   run_in_folder(plan, folder, threads, compute, call)
@@ -138,7 +142,7 @@ sweep_status <- function(folder, ...) {
   owner <- read_owner(folder)
   as_table(
     rows_done = rows, rows = plan$n, chunks_done = length(done), chunks = n_chunks(plan),
-    time_left_s = left, writing = length(dir(file.path(folder, "work"))),
+    time_left_s = left, writing = length(dir(file.path(folder, "work"), "[.]parquet-")),
     owner = owner$who %||% NA_character_
   )
 }
@@ -151,6 +155,23 @@ check_plan <- function(plan, call) {
 
 check_threads <- function(threads, call) {
   floor(check_number(threads, "threads", "1", call, lower = 1))
+}
+
+# A profile that is named has daemons.
+check_compute <- function(compute, call) {
+  if (is.null(compute)) return()
+  if (!is.character(compute) || length(compute) != 1L || is.na(compute)) {
+    abort_rotdyn(c(
+      "{.arg compute} must be the name of a profile.", x = "It is {describe_value(compute)}."
+    ), "type", call)
+  }
+  need_package("mirai", "A profile of daemons", call)
+  if (!has_daemons(compute)) {
+    abort_rotdyn(c(
+      "The profile {.val {compute}} has no daemons.",
+      i = "Set some: {.code mirai::daemons(2, .compute = \"{compute}\")}."
+    ), "argument", call)
+  }
 }
 
 # The plan of a folder, whose functions may be run.
@@ -212,14 +233,24 @@ run_in_folder <- function(plan, folder, threads, compute, call) {
   on.exit(unlink(file.path(folder, "owner.json")))
   clear_work(folder)
   if (length(todo)) {
-    if (has_daemons(compute)) {
-      run_by_daemons(plan, folder, todo, threads, compute, call)
-    } else {
-      run_here(plan, folder, todo, threads, call)
-    }
+    withCallingHandlers(
+      if (has_daemons(compute)) {
+        run_by_daemons(plan, folder, todo, threads, compute, call)
+      } else {
+        run_here(plan, folder, todo, threads, call)
+      },
+      interrupt = function(e) say_how_far(plan, folder)
+    )
   }
   clear_work(folder)
   read_sweep(plan, folder, NULL, call)
+}
+
+say_how_far <- function(plan, folder) {
+  inform_quickly(c(
+    paste0(length(committed_chunks(plan, folder)), " of ", n_chunks(plan), " chunks are done."),
+    paste0("sweep_resume(\"", folder, "\") goes on.")
+  ), "sweep")
 }
 
 run_here <- function(plan, folder, todo, threads, call) {
@@ -253,7 +284,7 @@ abort_failed_chunks <- function(failed, call) {
 own_folder <- function(folder, call) {
   owner <- read_owner(folder)
   me <- paste0(Sys.info()[["nodename"]], " process ", Sys.getpid())
-  if (!is.null(owner) && !identical(owner$who, me)) {
+  if (!is.null(owner) && !identical(owner$who, me) && !has_ended(owner$who)) {
     warn_rotdyn(c(
       "Another process may be at work on {.file {folder}}: {owner$who}.",
       i = "Both may go on: the rows are the same, some are computed twice."
@@ -270,18 +301,34 @@ read_owner <- function(folder) {
   list(who = who)
 }
 
-# Files that no process is writing any more: those of this host whose process has ended.
+# Is it a process of this host that is no more?
+has_ended <- function(who) {
+  pattern <- "^(.*) process ([0-9]+)$"
+  grepl(pattern, who) && sub(pattern, "\\1", who) == Sys.info()[["nodename"]] &&
+    !process_lives(sub(pattern, "\\2", who))
+}
+
+# Removes what no process is writing any more: files of this host whose process has ended, and files
+# of others an hour older, by the clock of their file system, than the file of the owner.
 clear_work <- function(folder) {
   files <- dir(file.path(folder, "work"), full.names = TRUE)
-  name <- Sys.info()[["nodename"]]
-  pattern <- paste0("^.*[.]parquet-(.*)-([0-9]+)-[^-]*$")
-  here <- sub(pattern, "\\1", basename(files)) == name
-  process <- suppressWarnings(as.integer(sub(pattern, "\\2", basename(files))))
-  gone <- here & !is.na(process) & (process == Sys.getpid() | !process_lives(process))
+  pattern <- "^.*-part-[0-9]+[.]parquet-(.*)-([0-9]+)-[^-]*$|^nonce-(.*)-([0-9]+)-[^-]*$"
+  files <- files[grepl(pattern, basename(files))]
+  if (!length(files)) return(invisible())
+  here <- sub(pattern, "\\1\\3", basename(files)) == Sys.info()[["nodename"]]
+  process <- sub(pattern, "\\2\\4", basename(files))
+  age <- as.double(file.mtime(file.path(folder, "owner.json"))) - as.double(file.mtime(files))
+  gone <- ifelse(
+    here, process == Sys.getpid() | !process_lives(process), !is.na(age) & age > 3600
+  )
   unlink(files[gone])
 }
 
+# A process that has ended and whose parent has not noticed (Z) writes no more.
 process_lives <- function(pid) {
   if (!dir.exists("/proc/self")) return(rep(TRUE, length(pid)))
-  dir.exists(file.path("/proc", pid))
+  vapply(file.path("/proc", pid, "stat"), function(path) {
+    stat <- tryCatch(suppressWarnings(readLines(path, 1L)), error = function(e) "")
+    length(stat) == 1L && nzchar(stat) && !grepl("^.*[)] [ZX] ", stat)
+  }, NA, USE.NAMES = FALSE)
 }

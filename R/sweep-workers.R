@@ -1,146 +1,309 @@
-# Chunks given to the daemons of mirai.
+# Chunks given to the daemons of mirai: the coordinator gives out few at a time and collects their
+# receipts; a daemon computes and commits. Nothing here changes a number.
 
-# Whether the user has set daemons in the profile; none are started here.
 has_daemons <- function(compute) {
-  if (!isNamespaceLoaded("mirai")) return(FALSE)
-  isTRUE(tryCatch(mirai::daemons_set(.compute = compute), error = function(e) FALSE))
+  # Daemons are set by mirai alone: it is not loaded for the question.
+  isNamespaceLoaded("mirai") && isTRUE(mirai::daemons_set(compute))
 }
 
-# What a daemon does: the canary once for each process, then the chunk. A value of class
-# rot_receipt, or the condition.
-sweep_task <- function(folder, chunk, threads, nonce) {
-  call <- rlang::current_env()
+# Seconds: between looks at the connections; without daemons before a message; beyond 10 medians
+# until a chunk is given out again; with no other daemons than those that lack the package.
+coordinator_times <- function() list(look = 0.5, nobody = 60, overdue = 60, unable = 10)
+
+# Most daemons that a chunk may lose.
+most_tries <- 3
+
+run_by_daemons <- function(plan, folder, todo, threads, compute, call) {
+  run <- new_coordination(plan, folder, todo, threads, compute, call)
+  on.exit({
+    mirai::stop_mirai(lapply(run$flight, `[[`, "task"))
+    unlink(file.path(run$job$folder, "work", run$job$nonce))
+  })
+  bar <- progress_bar("sweep")
+  pause <- 0.001
+  while (run$left > 0) {
+    look_at_daemons(run)
+    give_out(run)
+    pause <- if (collect_receipts(run)) 0.001 else min(0.05, 1.5 * pause)
+    bar(1 - run$left / length(todo))
+    if (run$left > 0) Sys.sleep(pause)
+  }
+  abort_failed_chunks(run$failed, call)
+}
+
+# The state of a coordinator. Chunks: todo[given + 1], ... were never given out, `again` come first.
+new_coordination <- function(plan, folder, todo, threads, compute, call) {
+  run <- new.env(parent = emptyenv())
+  run$plan <- plan
+  run$compute <- compute
+  run$call <- call
+  run$times <- coordinator_times()
+  run$todo <- todo
+  run$given <- 0
+  run$again <- double()
+  run$left <- length(todo)
+  run$open <- rep(FALSE, n_chunks(plan))
+  run$open[todo] <- TRUE
+  run$losses <- integer(n_chunks(plan))
+  run$flight <- list()
+  run$failed <- list()
+  run$seconds <- double()
+  run$connections <- 0
+  run$looked <- -Inf
+  run$able <- FALSE
+  run$unable <- character()
+  nonce <- paste0("nonce-", Sys.info()[["nodename"]], "-", Sys.getpid(), "-", basename(tempfile("")))
+  run$job <- list(
+    folder = normalizePath(folder, mustWork = TRUE), threads = threads, nonce = nonce,
+    hash = plan$hash
+  )
+  write_file(nonce, file.path(run$job$folder, "work", nonce), call)
+  run
+}
+
+clock_s <- function() proc.time()[[3L]]
+
+# ---- daemons ------------------------------------------------------------------------------------
+
+look_at_daemons <- function(run) {
+  now <- clock_s()
+  if (now - run$looked < run$times$look) return()
+  run$looked <- now
+  known <- suppressWarnings(as.integer(mirai::status(run$compute)$connections))
+  run$connections <- if (length(known) && !is.na(known[1])) known[1] else 0L
+  if (run$connections > 0) {
+    run$nobody_since <- NULL
+    give_up_on_unable(run, now)
+    mark_overdue(run, now)
+    return()
+  }
+  # What waits for a daemon is not overdue.
+  for (i in seq_along(run$flight)) run$flight[[i]]$since <- now
+  if (is.null(run$nobody_since)) run$nobody_since <- now
+  if (now - run$nobody_since > run$times$nobody && is.null(run$nobody_said)) {
+    run$nobody_said <- TRUE
+    inform_quickly(c(
+      paste("No daemon is connected since", seconds_words(run$times$nobody), "- the sweep waits."),
+      "mirai::launch_local() or mirai::launch_remote() starts some.", library_hints
+    ), "sweep")
+  }
+}
+
+library_hints <- c(
+  "A daemon that cannot load its packages does not connect, or does no work. Two settings help:",
+  "the environment variable R_LIBS, set before the daemons start;",
+  "mirai::everywhere(.libPaths(\"...\")), after they started."
+)
+
+# Chunks that take longer than 10 medians and a minute are given out once more.
+mark_overdue <- function(run, now) {
+  typical <- if (length(run$seconds)) stats::median(run$seconds) else {
+    run$plan$row_s * run$plan$chunk_rows
+  }
+  for (i in seq_along(run$flight)) {
+    one <- run$flight[[i]]
+    if (one$copied || now - one$since <= 10 * typical + run$times$overdue) next
+    run$flight[[i]]$copied <- TRUE
+    if (sum(vapply(run$flight, `[[`, double(1), "chunk") == one$chunk) < 2L) {
+      run$again <- c(run$again, one$chunk)
+    }
+  }
+}
+
+# ---- chunks -------------------------------------------------------------------------------------
+
+# Twice as many as there are daemons, and one. Overdue ones do not count: they may never come back.
+give_out <- function(run) {
+  waiting <- sum(!vapply(run$flight, `[[`, NA, "copied"))
+  while (waiting < 2 * run$connections + 1) {
+    chunk <- next_chunk(run)
+    if (is.null(chunk)) return()
+    run$flight[[length(run$flight) + 1L]] <- list(
+      task = chunk_task(c(run$job, chunk = chunk), run$compute), chunk = chunk, since = clock_s(),
+      copied = FALSE
+    )
+    waiting <- waiting + 1
+  }
+}
+
+# NULL: all are given out.
+next_chunk <- function(run) {
+  repeat {
+    if (length(run$again)) {
+      chunk <- run$again[1]
+      run$again <- run$again[-1]
+    } else if (run$given < length(run$todo)) {
+      run$given <- run$given + 1
+      chunk <- run$todo[run$given]
+    } else {
+      return(NULL)
+    }
+    if (!run$open[chunk]) next
+    # Another coordinator, or a daemon of one that was killed, may have committed it meanwhile.
+    path <- file.path(run$job$folder, "sums", part_name(chunk))
+    if (!file.exists(path) || is.null(read_sums_part(run$plan, run$job$folder, chunk))) {
+      return(chunk)
+    }
+    close_chunk(run, chunk)
+  }
+}
+
+close_chunk <- function(run, chunk) {
+  if (!run$open[chunk]) return()
+  run$open[chunk] <- FALSE
+  run$left <- run$left - 1
+  copies <- vapply(run$flight, `[[`, double(1), "chunk") == chunk
+  mirai::stop_mirai(lapply(run$flight[copies], `[[`, "task"))
+  run$flight <- run$flight[!copies]
+}
+
+# TRUE: some arrived.
+collect_receipts <- function(run) {
+  ready <- !vapply(run$flight, function(one) mirai::unresolved(one$task), NA)
+  arrived <- run$flight[ready]
+  run$flight <- run$flight[!ready]
+  for (one in arrived) take_receipt(run, one$chunk, one$task$data)
+  length(arrived) > 0L
+}
+
+take_receipt <- function(run, chunk, receipt) {
+  if (!run$open[chunk]) return()
+  if (inherits(receipt, "miraiError")) {
+    return(fail_chunk(run, chunk, daemon_condition("error", as.character(receipt))))
+  }
+  if (mirai::is_error_value(receipt)) return(lose_chunk(run, chunk, receipt))
+  if (is.null(receipt$class)) {
+    run$able <- TRUE
+    run$seconds <- utils::tail(c(run$seconds, receipt$seconds), 999L)
+    return(close_chunk(run, chunk))
+  }
+  e <- daemon_condition(receipt$class, receipt$message)
+  kind <- sub("^rotdyn_error_", "", receipt$class[1])
+  if (kind == "package") return(note_unable(run, chunk, receipt, e))
+  run$able <- TRUE
+  why <- switch(kind,
+    canary = "The daemon {receipt$who} computes other bits.",
+    folder = "The daemon {receipt$who} does not see the folder {.file {run$job$folder}}.",
+    file = "The daemon {receipt$who} cannot go on with the sweep."
+  )
+  if (is.null(why)) return(fail_chunk(run, chunk, e))
+  abort_rotdyn(c(why, i = if (kind == "folder") {
+    "Daemons write their parts themselves: all hosts need the same folder under the same path."
+  }), kind, run$call, parent = e)
+}
+
+# An error of a daemon, whose text is all that is left of it.
+daemon_condition <- function(class, message) {
+  kinds <- class[startsWith(class, "rotdyn_error")]
+  structure(
+    class = c(kinds, "error", "condition"),
+    list(message = paste(cli::ansi_strip(message), collapse = "\n"), call = NULL)
+  )
+}
+
+fail_chunk <- function(run, chunk, e) {
+  run$failed[[length(run$failed) + 1L]] <- list(chunk, e)
+  close_chunk(run, chunk)
+}
+
+# 19: the connection is lost; 7: closed; 5: a time limit of the user's.
+lose_chunk <- function(run, chunk, value) {
+  run$losses[chunk] <- run$losses[chunk] + 1L
+  if (run$losses[chunk] < most_tries) {
+    run$again <- c(run$again, chunk)
+    return()
+  }
+  fail_chunk(run, chunk, daemon_condition(
+    "error", paste0("Its daemons were lost, ", most_tries, " times: the last by ",
+                    utils::capture.output(print(value))[1], ".")
+  ))
+}
+
+note_unable <- function(run, chunk, receipt, e) {
+  run$again <- c(run$again, chunk)
+  if (!length(run$unable)) {
+    run$unable_since <- clock_s()
+    run$unable_error <- e
+    inform_quickly(c(
+      paste0("The daemon ", receipt$who, " lacks a package: ", e$message), library_hints
+    ), "sweep")
+  }
+  run$unable <- union(run$unable, receipt$who)
+}
+
+give_up_on_unable <- function(run, now) {
+  if (run$able || length(run$unable) < run$connections ||
+      now - run$unable_since < run$times$unable) {
+    return()
+  }
+  abort_rotdyn(c(
+    "No daemon can load what it needs.", i = "Set {.envvar R_LIBS} before the daemons start.",
+    i = "Or, after they started: {.code mirai::everywhere(.libPaths(\"...\"))}."
+  ), "package", run$call, parent = run$unable_error)
+}
+
+# ---- on a daemon --------------------------------------------------------------------------------
+
+# The code that a daemon runs finds this package itself: the session's functions stay here. One that
+# lacks it waits, so that others get the chunk.
+chunk_task <- function(job, compute) {
+  mirai::mirai({
+    found <- tryCatch(
+      get("chunk_on_daemon", asNamespace("rotdyn")), error = function(e) conditionMessage(e)
+    )
+    if (is.function(found)) found(job) else {
+      Sys.sleep(0.5)
+      list(
+        class = "rotdyn_error_package",
+        message = paste0(found, " (libraries: ", paste(.libPaths(), collapse = ", "), ")"),
+        who = paste(Sys.info()[["nodename"]], "process", Sys.getpid())
+      )
+    }
+  }, .args = list(job = job), .compute = compute)
+}
+
+# A receipt, or list(class, message, who) of what went wrong.
+chunk_on_daemon <- function(job) {
   tryCatch(
     {
-      if (!file.exists(file.path(folder, nonce))) {
-        abort_rotdyn("A daemon does not see the folder {.file {folder}}.", "file", call)
-      }
-      plan <- open_sweep(folder, TRUE, call)
-      if (!identical(daemon_state$checked, plan$hash)) {
-        check_canary(plan, folder, call)
-        daemon_state$checked <- plan$hash
-      }
-      receipt <- commit_chunk(plan, folder, chunk, threads, NULL, call)
-      receipt$host <- Sys.info()[["nodename"]]
-      receipt
+      plan <- plan_on_daemon(job)
+      commit_chunk(plan, job$folder, job$chunk, job$threads, NULL, NULL)
     },
     error = function(e) {
-      list(failed = conditionMessage(e), kind = class(e)[1], host = Sys.info()[["nodename"]])
+      if (inherits(e, "rotdyn_error_package")) Sys.sleep(0.5)
+      list(
+        class = class(e), message = if (inherits(e, "rlang_error")) {
+          rlang::cnd_message(e, inherit = TRUE, prefix = FALSE)
+        } else {
+          conditionMessage(e)
+        },
+        who = paste(Sys.info()[["nodename"]], "process", Sys.getpid())
+      )
     }
   )
 }
 
+# The plan of the run that this process has looked at.
 daemon_state <- new.env(parent = emptyenv())
 
-# A lost connection, a timeout or a stopped task: the chunk is given out again.
-lost_tasks <- c(5L, 7L, 19L)
-
-run_by_daemons <- function(plan, folder, todo, threads, compute, call) {
-  folder <- normalizePath(folder)
-  nonce <- paste0("nonce-", basename(tempfile("")))
-  file.create(file.path(folder, nonce))
-  on.exit(unlink(file.path(folder, nonce)))
-  give <- function(chunk) {
-    mirai::mirai(
-      {
-        ready <- requireNamespace("rotdyn", quietly = TRUE)
-        if (!ready) list(failed = "", kind = "no_rotdyn", host = Sys.info()[["nodename"]]) else
-          asNamespace("rotdyn")$sweep_task(folder, chunk, threads, nonce)
-      },
-      folder = folder, chunk = chunk, threads = threads, nonce = nonce, .compute = compute
-    )
+# A process looks once at a run: does it see the folder, does it compute the same bits? The functions
+# of a sweep are trusted by who gives out its chunks.
+plan_on_daemon <- function(job) {
+  if (identical(daemon_state$nonce, job$nonce)) return(daemon_state$plan)
+  for (package in c("nanoparquet", "yyjsonr")) need_package(package, "A sweep in a folder", NULL)
+  end <- clock_s() + 5
+  nonce <- file.path(job$folder, "work", job$nonce)
+  # A network file system may show a new file late.
+  while (!file.exists(nonce) && clock_s() < end) Sys.sleep(0.1)
+  if (!file.exists(nonce)) {
+    abort_rotdyn("There is no {.file {nonce}} on {Sys.info()[['nodename']]}.", "folder", NULL)
   }
-  state <- list2env(list(
-    queue = todo, flying = list(), tries = list(), failed = list(), took = double(), done = 0
-  ))
-  on.exit(lapply(state$flying, function(task) mirai::stop_mirai(task$task)), add = TRUE)
-  bar <- progress_bar("sweep")
-  waited <- proc.time()[[3L]]
-  said <- FALSE
-  repeat {
-    connections <- daemon_count(compute)
-    while (length(state$queue) && length(state$flying) < 2 * connections + 1) {
-      chunk <- state$queue[1]
-      state$queue <- state$queue[-1]
-      state$flying[[length(state$flying) + 1L]] <- list(
-        chunk = chunk, task = give(chunk), since = proc.time()[[3L]]
-      )
-    }
-    if (!length(state$flying)) break
-    ready <- !vapply(state$flying, function(one) mirai::unresolved(one$task), NA)
-    if (any(ready)) {
-      waited <- proc.time()[[3L]]
-      landed <- state$flying[ready]
-      state$flying <- state$flying[!ready]
-      for (one in landed) take_landed(one, state, folder, call)
-      bar(state$done / length(todo))
-    } else {
-      if (!said && connections == 0 && proc.time()[[3L]] - waited > 60) {
-        said <- TRUE
-        inform_quickly(c(
-          "No daemon is connected; the sweep waits for one.",
-          "A daemon that cannot load its packages ends at once: set `R_LIBS` for it, or
-           `.libPaths()` in its profile."
-        ), "sweep")
-      }
-      give_again(state, give)
-      Sys.sleep(0.01)
-    }
+  plan <- read_plan(job$folder, NULL, trust = TRUE)
+  if (!identical(plan$hash, job$hash)) {
+    abort_rotdyn("The folder has another sweep on {Sys.info()[['nodename']]}.", "folder", NULL)
   }
-  abort_failed_chunks(state$failed, call)
-}
-
-daemon_count <- function(compute) {
-  status <- tryCatch(mirai::status(.compute = compute)$connections, error = function(e) 0)
-  if (is.numeric(status)) as.double(status)[1] else 0
-}
-
-# A task that takes ten times the usual time and a minute is given out a second time.
-give_again <- function(state, give) {
-  if (!length(state$took)) return()
-  limit <- 10 * stats::median(state$took) + 60
-  for (i in seq_along(state$flying)) {
-    one <- state$flying[[i]]
-    if (isTRUE(one$twice) || proc.time()[[3L]] - one$since < limit) next
-    state$flying[[i]]$twice <- TRUE
-    state$flying[[length(state$flying) + 1L]] <- list(
-      chunk = one$chunk, task = give(one$chunk), since = proc.time()[[3L]], twice = TRUE
-    )
-  }
-}
-
-take_landed <- function(one, state, folder, call) {
-  value <- one$task$data
-  if (inherits(value, "errorValue")) {
-    key <- as.character(one$chunk)
-    state$tries[[key]] <- (state$tries[[key]] %||% 0) + 1
-    if (as.integer(value) %in% lost_tasks && state$tries[[key]] < 3) {
-      state$queue <- c(one$chunk, state$queue)
-    } else {
-      state$failed[[length(state$failed) + 1L]] <- list(
-        one$chunk, simpleError(paste("the daemon was lost:", format(value)))
-      )
-    }
-    return()
-  }
-  if (is.null(value$failed)) {
-    state$done <- state$done + 1
-    state$took <- c(state$took, value$seconds)
-    # The other one that was given this chunk is not waited for.
-    state$flying <- Filter(function(other) other$chunk != one$chunk, state$flying)
-    return()
-  }
-  if (value$kind == "no_rotdyn") {
-    abort_rotdyn(c(
-      "A daemon on {value$host} cannot load rotdyn.",
-      i = "Set {.envvar R_LIBS} before it starts, or {.code .libPaths()} in its {.file .Rprofile}."
-    ), "package", call)
-  }
-  if (value$kind %in% c("rotdyn_error_file", "rotdyn_error_canary")) {
-    abort_rotdyn(c(
-      "The sweep stopped at chunk {one$chunk}, on {value$host}.",
-      x = braces_doubled(value$failed), i = "What is committed stays: {.fn sweep_resume} goes on."
-    ), sub("^rotdyn_error_", "", value$kind), call)
-  }
-  state$failed[[length(state$failed) + 1L]] <- list(one$chunk, simpleError(value$failed))
+  check_canary(plan, job$folder, NULL)
+  daemon_state$plan <- plan
+  daemon_state$nonce <- job$nonce
+  plan
 }
