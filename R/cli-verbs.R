@@ -8,7 +8,7 @@ cli_verb <- function(name, usage, words, help, options, run, needs = NULL, examp
 }
 
 cli_verbs <- function() {
-  c(cli_motion_verbs(), cli_table_verbs(), cli_record_verbs(), cli_list_verbs())
+  c(cli_motion_verbs(), cli_table_verbs(), cli_record_verbs(), cli_sweep_verbs(), cli_list_verbs())
 }
 
 # ---- input --------------------------------------------------------------------------------------

@@ -14,15 +14,29 @@
 #' \pkg{nanoparquet}.
 #'
 #' Chunks are given to the daemons of \pkg{mirai} where you have set some (`mirai::daemons(2)`, on
-#' this machine or on others that see the folder), and only then. Rows do not depend on the number
-#' of threads, daemons or jobs, to the last bit. A daemon of another version or C library is found
-#' by its bits before it writes.
+#' this machine or on others), and only then. Rows do not depend on the number of threads, daemons or
+#' jobs, to the last bit.
+#'
+#' @section Daemons:
+#' Daemons may come and go during a run, also be none at its start. Each writes its parts itself: all
+#' hosts need the folder under the same path, and a daemon that does not see it ends the run with an
+#' error. A daemon of another version, compiler or C library is found by its bits before it writes
+#' (`rotdyn_error_canary`). The chunk of a daemon that is lost is computed by another one; lost three
+#' times, it counts as failed. A chunk that takes ten times as long as others and a minute is given
+#' out a second time. An error of R in a chunk is not tried again: the others go on. A daemon that
+#' cannot load its packages needs the environment variable `R_LIBS` before it starts, or
+#' `mirai::everywhere(.libPaths("..."))`; a message says so. An interrupt stops what is being
+#' computed; [sweep_resume()] goes on.
+#'
+#' Where daemons have many cores, `threads` uses them: one daemon with all threads of a host, or one
+#' for each core with one thread. A scheduler's array job needs no daemons: `rotdyn sweep work DIR
+#' --part N --of M` in a shell, or `sweep_work()`.
 #'
 #' @param plan A plan of [sweep_plan()].
 #' @param folder Name of a folder; NULL: in memory. It is made, or has this very sweep.
 #' @param ... Not used; names after it must be given in full.
 #' @param threads Most threads of each process.
-#' @param compute The profile of \pkg{mirai}'s daemons; NULL: the default one.
+#' @param compute The profile of \pkg{mirai}'s daemons; NULL: the default one, where it has daemons.
 #' @param chunk Number of a chunk, from 1.
 #' @param part,parts This is job `part` of `parts`: it computes every `parts`-th chunk.
 #' @param trust TRUE: run the R functions that the folder has; they can do anything.
@@ -34,11 +48,14 @@
 #'   `r describe_columns(sweep_receipt_columns, sweep_receipt_meanings)`
 #'   `sweep_todo()`: numbers of chunks.
 #' @section Errors: `rotdyn_error_memory` for a plan that does not fit into memory;
-#'   `rotdyn_error_folder` for a folder with another sweep, with the first difference;
+#'   `rotdyn_error_folder` for a folder with another sweep, with the first difference, and for
+#'   daemons that do not see it; `rotdyn_error_argument` for a profile without daemons;
 #'   `rotdyn_error_canary` for a machine whose rows have other bits; `rotdyn_error_chunks` for
 #'   chunks that failed, after all others are done; `rotdyn_error_file` where nothing can be
 #'   written: what is committed stays. `rotdyn_error_package` without \pkg{nanoparquet} or
-#'   \pkg{yyjsonr}, which a folder needs.
+#'   \pkg{yyjsonr}, which a folder needs, and where no daemon can load its packages. A message of
+#'   class `rotdyn_message_sweep` where no daemon is connected for a minute, or one cannot load its
+#'   packages, and at an interrupt.
 #' @source Apache Parquet format, version 2.9 (2021).
 #' @seealso [sweep_plan()], [sweep_read()], [summary.rot_sweep()].
 #' @concept parallel
@@ -118,7 +135,7 @@ sweep_work <- function(folder, part, parts, ..., threads = 1, trust = FALSE) {
   chunks <- chunks_to_do(plan, folder)
   mine <- chunks[(chunks - 1) %% parts == part - 1]
   threads <- check_threads(threads, call)
-  receipts <- lapply(mine, function(chunk) commit_chunk(plan, folder, chunk, threads, NULL, call))
+  receipts <- telling_how_far(plan, folder, run_here(plan, folder, mine, threads, call))
   invisible(receipts_table(receipts))
 }
 
@@ -228,47 +245,55 @@ new_sweep <- function(plan, rows, whole, folder) {
 # ---- in a folder --------------------------------------------------------------------------------
 
 run_in_folder <- function(plan, folder, threads, compute, call) {
+  complete_folder(plan, folder, threads, compute, call)
+  read_sweep(plan, folder, NULL, call)
+}
+
+complete_folder <- function(plan, folder, threads, compute, call) {
   todo <- chunks_to_do(plan, folder)
   own_folder(folder, call)
   on.exit(unlink(file.path(folder, "owner.json")))
   clear_work(folder)
   if (length(todo)) {
-    withCallingHandlers(
+    telling_how_far(plan, folder, {
       if (has_daemons(compute)) {
         run_by_daemons(plan, folder, todo, threads, compute, call)
       } else {
         run_here(plan, folder, todo, threads, call)
-      },
-      interrupt = function(e) say_how_far(plan, folder)
-    )
+      }
+    })
   }
   clear_work(folder)
-  read_sweep(plan, folder, NULL, call)
 }
 
-say_how_far <- function(plan, folder) {
-  inform_quickly(c(
-    paste0(length(committed_chunks(plan, folder)), " of ", n_chunks(plan), " chunks are done."),
-    paste0("sweep_resume(\"", folder, "\") goes on.")
-  ), "sweep")
+# An interrupt goes on after the message.
+telling_how_far <- function(plan, folder, code) {
+  withCallingHandlers(code, interrupt = function(e) {
+    inform_quickly(c(
+      paste0(length(committed_chunks(plan, folder)), " of ", n_chunks(plan), " chunks are done."),
+      paste0("sweep_resume(\"", folder, "\") goes on.")
+    ), "sweep")
+  })
 }
 
+# => receipts
 run_here <- function(plan, folder, todo, threads, call) {
   bar <- progress_bar("sweep")
   failed <- list()
-  for (i in seq_along(todo)) {
+  receipts <- lapply(seq_along(todo), function(i) {
     progress <- function(fraction) bar((i - 1 + fraction) / length(todo))
-    receipt <- tryCatch(
+    tryCatch(
       commit_chunk(plan, folder, todo[i], threads, progress, call),
       error = function(e) {
         # No room, no folder: the next chunk fails, too.
         if (inherits(e, "rotdyn_error_file") || is_time_limit(e)) rlang::cnd_signal(e)
-        e
+        failed[[length(failed) + 1L]] <<- list(todo[i], e)
+        NULL
       }
     )
-    if (inherits(receipt, "error")) failed[[length(failed) + 1L]] <- list(todo[i], receipt)
-  }
+  })
   abort_failed_chunks(failed, call)
+  receipts
 }
 
 abort_failed_chunks <- function(failed, call) {

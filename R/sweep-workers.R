@@ -7,11 +7,14 @@ has_daemons <- function(compute) {
 }
 
 # Seconds: between looks at the connections; without daemons before a message; beyond 10 medians
-# until a chunk is given out again; with no other daemons than those that lack the package.
-coordinator_times <- function() list(look = 0.5, nobody = 60, overdue = 60, unable = 10)
+# until a chunk is given out again; with no other daemons than those that lack the package; until a
+# network file system shows a new file.
+coordinator_times <- function() {
+  list(look = 0.5, nobody = 60, overdue = 60, unable = 10, late_file = 5)
+}
 
-# Most daemons that a chunk may lose.
-most_tries <- 3
+# Daemons that a chunk may lose before it counts as failed.
+max_tries <- 3
 
 run_by_daemons <- function(plan, folder, todo, threads, compute, call) {
   run <- new_coordination(plan, folder, todo, threads, compute, call)
@@ -55,7 +58,7 @@ new_coordination <- function(plan, folder, todo, threads, compute, call) {
   nonce <- paste0("nonce-", Sys.info()[["nodename"]], "-", Sys.getpid(), "-", basename(tempfile("")))
   run$job <- list(
     folder = normalizePath(folder, mustWork = TRUE), threads = threads, nonce = nonce,
-    hash = plan$hash
+    hash = plan$hash, wait_s = run$times$late_file
   )
   write_file(nonce, file.path(run$job$folder, "work", nonce), call)
   run
@@ -65,8 +68,7 @@ clock_s <- function() proc.time()[[3L]]
 
 # ---- daemons ------------------------------------------------------------------------------------
 
-look_at_daemons <- function(run) {
-  now <- clock_s()
+look_at_daemons <- function(run, now = clock_s()) {
   if (now - run$looked < run$times$look) return()
   run$looked <- now
   known <- suppressWarnings(as.integer(mirai::status(run$compute)$connections))
@@ -102,8 +104,8 @@ mark_overdue <- function(run, now) {
   }
   for (i in seq_along(run$flight)) {
     one <- run$flight[[i]]
-    if (one$copied || now - one$since <= 10 * typical + run$times$overdue) next
-    run$flight[[i]]$copied <- TRUE
+    if (one$doubled || now - one$since <= 10 * typical + run$times$overdue) next
+    run$flight[[i]]$doubled <- TRUE
     if (sum(vapply(run$flight, `[[`, double(1), "chunk") == one$chunk) < 2L) {
       run$again <- c(run$again, one$chunk)
     }
@@ -114,13 +116,13 @@ mark_overdue <- function(run, now) {
 
 # Twice as many as there are daemons, and one. Overdue ones do not count: they may never come back.
 give_out <- function(run) {
-  waiting <- sum(!vapply(run$flight, `[[`, NA, "copied"))
+  waiting <- sum(!vapply(run$flight, `[[`, NA, "doubled"))
   while (waiting < 2 * run$connections + 1) {
     chunk <- next_chunk(run)
     if (is.null(chunk)) return()
     run$flight[[length(run$flight) + 1L]] <- list(
       task = chunk_task(c(run$job, chunk = chunk), run$compute), chunk = chunk, since = clock_s(),
-      copied = FALSE
+      doubled = FALSE
     )
     waiting <- waiting + 1
   }
@@ -152,9 +154,9 @@ close_chunk <- function(run, chunk) {
   if (!run$open[chunk]) return()
   run$open[chunk] <- FALSE
   run$left <- run$left - 1
-  copies <- vapply(run$flight, `[[`, double(1), "chunk") == chunk
-  mirai::stop_mirai(lapply(run$flight[copies], `[[`, "task"))
-  run$flight <- run$flight[!copies]
+  same <- vapply(run$flight, `[[`, double(1), "chunk") == chunk
+  mirai::stop_mirai(lapply(run$flight[same], `[[`, "task"))
+  run$flight <- run$flight[!same]
 }
 
 # TRUE: some arrived.
@@ -209,12 +211,12 @@ fail_chunk <- function(run, chunk, e) {
 # 19: the connection is lost; 7: closed; 5: a time limit of the user's.
 lose_chunk <- function(run, chunk, value) {
   run$losses[chunk] <- run$losses[chunk] + 1L
-  if (run$losses[chunk] < most_tries) {
+  if (run$losses[chunk] < max_tries) {
     run$again <- c(run$again, chunk)
     return()
   }
   fail_chunk(run, chunk, daemon_condition(
-    "error", paste0("Its daemons were lost, ", most_tries, " times: the last by ",
+    "error", paste0("Its daemons were lost, ", max_tries, " times: the last by ",
                     utils::capture.output(print(value))[1], ".")
   ))
 }
@@ -291,9 +293,8 @@ daemon_state <- new.env(parent = emptyenv())
 plan_on_daemon <- function(job) {
   if (identical(daemon_state$nonce, job$nonce)) return(daemon_state$plan)
   for (package in c("nanoparquet", "yyjsonr")) need_package(package, "A sweep in a folder", NULL)
-  end <- clock_s() + 5
+  end <- clock_s() + job$wait_s
   nonce <- file.path(job$folder, "work", job$nonce)
-  # A network file system may show a new file late.
   while (!file.exists(nonce) && clock_s() < end) Sys.sleep(0.1)
   if (!file.exists(nonce)) {
     abort_rotdyn("There is no {.file {nonce}} on {Sys.info()[['nodename']]}.", "folder", NULL)

@@ -44,32 +44,113 @@ test_that("daemons compute the rows that this process does, also when one is kil
   unlink(folder, recursive = TRUE)
 })
 
-test_that("a daemon with other bits stops the sweep; an error of a row's function does, too", {
+test_that("a daemon with other bits, or another folder, says so before it writes", {
   folder <- tempfile("sweep-")
-  make_sweep_folder(plan, folder, environment())
+  made <- make_sweep_folder(plan, folder, environment())
+  job <- function(nonce, hash = made$hash) {
+    if (!is.null(nonce)) file.create(file.path(folder, "work", nonce))
+    daemon_state$nonce <- NULL
+    list(folder = folder, chunk = 1, threads = 1, nonce = nonce, hash = hash, wait_s = 0.2)
+  }
   path <- file.path(folder, "run.json")
-  writeLines(sub("\"canary\": \"....", "\"canary\": \"0000", readLines(path)), path)
-  refused <- sweep_task(folder, 1, 1, "run.json")
-  expect_identical(refused$kind, "rotdyn_error_canary")
-  expect_identical(sweep_task(folder, 1, 1, "nonce")$kind, "rotdyn_error_file")
+  right <- readLines(path)
+  writeLines(sub("\"canary\": \"....", "\"canary\": \"0000", right), path)
+  expect_identical(chunk_on_daemon(job("nonce-1"))$class[1], "rotdyn_error_canary")
+  writeLines(right, path)
+  expect_identical(chunk_on_daemon(job("nonce-2", "another"))$class[1], "rotdyn_error_folder")
+  elsewhere <- job(NULL)
+  elsewhere$nonce <- "nonce-of-another-host"
+  expect_identical(chunk_on_daemon(elsewhere)$class[1], "rotdyn_error_folder")
   expect_identical(dir(file.path(folder, "sums")), character())
+  receipt <- chunk_on_daemon(job("nonce-3"))
+  expect_identical(receipt$rows, 2^16)
+  expect_identical(dir(file.path(folder, "sums")), part_name(1))
   unlink(folder, recursive = TRUE)
-  state <- list2env(list(
-    queue = double(), flying = list(), tries = list(), failed = list(), took = double(), done = 0
-  ))
-  lost <- list(chunk = 3, task = list(data = structure(19L, class = c("errorValue", "try-error"))))
-  take_landed(lost, state, folder, environment())
-  take_landed(lost, state, folder, environment())
-  expect_identical(state$queue, c(3, 3))
-  take_landed(lost, state, folder, environment())
-  expect_identical(state$failed[[1]][[1]], 3)
-  bad <- list(chunk = 4, task = list(data = list(failed = "no", kind = "simpleError", host = "h")))
-  take_landed(bad, state, folder, environment())
-  expect_length(state$failed, 2)
-  expect_error(abort_failed_chunks(state$failed, environment()), "2 chunks",
+})
+
+# A coordinator of a folder, without daemons: receipts are given to it by hand.
+coordinator <- function() {
+  folder <- withr_folder()
+  made <- make_sweep_folder(plan, folder, environment())
+  new_coordination(made, folder, as.double(1:7), 1, profile, environment())
+}
+
+withr_folder <- function(env = parent.frame(2)) {
+  folder <- tempfile("sweep-")
+  do.call(on.exit, list(bquote(unlink(.(folder), recursive = TRUE)), add = TRUE), envir = env)
+  folder
+}
+
+error_value <- function(x) structure(as.integer(x), class = c("errorValue", "try-error"))
+
+test_that("a chunk whose daemon is lost is given out again, twice; an error of R is not", {
+  run <- coordinator()
+  for (i in 1:2) {
+    take_receipt(run, 3, error_value(19))
+    expect_identical(run$again, rep(3, i))
+  }
+  expect_identical(run$left, 7L)
+  take_receipt(run, 3, error_value(7))
+  expect_identical(run$failed[[1]][[1]], 3)
+  expect_match(conditionMessage(run$failed[[1]][[2]]), "lost, 3 times")
+  take_receipt(run, 4, list(class = "simpleError", message = "no", who = "h"))
+  expect_length(run$failed, 2)
+  expect_identical(run$left, 5)
+  # A late receipt of a chunk that is closed changes nothing.
+  take_receipt(run, 4, list(chunk = 4, seconds = 1))
+  expect_identical(run$left, 5)
+  take_receipt(run, 5, list(chunk = 5, seconds = 1))
+  expect_identical(run$left, 4)
+  expect_error(abort_failed_chunks(run$failed, environment()), "2 chunks",
                class = "rotdyn_error_chunks")
-  bad$task$data$kind <- "rotdyn_error_canary"
-  expect_error(take_landed(bad, state, folder, environment()), class = "rotdyn_error_canary")
-  bad$task$data$kind <- "no_rotdyn"
-  expect_error(take_landed(bad, state, folder, environment()), class = "rotdyn_error_package")
+  for (kind in c("canary", "file", "folder")) {
+    bad <- list(class = c(paste0("rotdyn_error_", kind), "error"), message = "why", who = "h")
+    expect_error(take_receipt(run, 6, bad), "h", class = bad$class[1])
+  }
+})
+
+test_that("a chunk that takes too long is given out a second time, and what waits is not overdue", {
+  run <- coordinator()
+  run$seconds <- c(1, 2, 3)
+  task <- function(chunk, since) list(task = NULL, chunk = chunk, since = since, doubled = FALSE)
+  run$flight <- list(task(1, 0), task(2, 75))
+  mark_overdue(run, 80)
+  expect_identical(run$again, double())
+  mark_overdue(run, 81)
+  expect_identical(run$again, 1)
+  mark_overdue(run, 120)
+  expect_identical(run$again, 1)
+  expect_identical(vapply(run$flight, `[[`, NA, "doubled"), c(TRUE, FALSE))
+})
+
+test_that("a daemon without its packages gets a message, and all of them an error", {
+  run <- coordinator()
+  lacks <- list(class = c("rotdyn_error_package", "error"), message = "no rotdyn", who = "h 1")
+  expect_message(take_receipt(run, 2, lacks), "R_LIBS", class = "rotdyn_message_sweep")
+  expect_no_message(take_receipt(run, 2, lacks))
+  expect_identical(run$again, c(2, 2))
+  run$unable_since <- 100
+  run$connections <- 2L
+  expect_no_error(give_up_on_unable(run, 120))
+  run$connections <- 1L
+  expect_no_error(give_up_on_unable(run, 109))
+  expect_error(give_up_on_unable(run, 110), "everywhere", class = "rotdyn_error_package")
+  run$able <- TRUE
+  expect_no_error(give_up_on_unable(run, 120))
+})
+
+test_that("a run without a daemon says so once, after a minute, and waits", {
+  mirai::daemons(url = mirai::local_url(), .compute = profile)
+  on.exit(mirai::daemons(0, .compute = profile))
+  run <- coordinator()
+  expect_no_message(look_at_daemons(run, 0))
+  expect_no_message(look_at_daemons(run, 59))
+  expect_message(look_at_daemons(run, 61), "launch_local", class = "rotdyn_message_sweep")
+  expect_no_message(look_at_daemons(run, 200))
+})
+
+test_that("a profile without daemons is refused", {
+  folder <- tempfile("sweep-")
+  expect_error(sweep_run(plan, folder, compute = "rotdyn-none"), class = "rotdyn_error_argument")
+  unlink(folder, recursive = TRUE)
 })
