@@ -10,7 +10,7 @@ cli_sweep_verbs <- function() {
     list(
       cli_option("part", "number", "of `work`: the number of this job, from 1"),
       cli_option("of", "number", "of `work`: how many jobs there are"),
-      cli_option("threads", "number", "of `work` and `resume`: threads of this process, at most (1)"),
+      cli_option("threads", "number", "of `work` and `resume`: threads, at most (1)"),
       cli_option("trust", "flag", "runs the R functions that the folder has; they can do anything")
     ), cli_run_sweep, NULL,
     c("rotdyn sweep work wheels --part $SLURM_ARRAY_TASK_ID --of 100", "rotdyn sweep status wheels",

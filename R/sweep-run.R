@@ -14,18 +14,18 @@
 #' \pkg{nanoparquet}.
 #'
 #' Chunks are given to the daemons of \pkg{mirai} where you have set some (`mirai::daemons(2)`, on
-#' this machine or on others), and only then. Rows do not depend on the number of threads, daemons or
-#' jobs, to the last bit.
+#' this machine or on others), and only then. Rows do not depend on the number of threads, daemons
+#' or jobs, to the last bit.
 #'
 #' @section Daemons:
-#' Daemons may come and go during a run, also be none at its start. Each writes its parts itself: all
-#' hosts need the folder under the same path, and a daemon that does not see it ends the run with an
-#' error. A daemon of another version, compiler or C library is found by its bits before it writes
-#' (`rotdyn_error_canary`). The chunk of a daemon that is lost is computed by another one; lost three
-#' times, it counts as failed. A chunk that takes ten times as long as others and a minute is given
-#' out a second time. An error of R in a chunk is not tried again: the others go on. A daemon that
-#' cannot load its packages needs the environment variable `R_LIBS` before it starts, or
-#' `mirai::everywhere(.libPaths("..."))`; a message says so. An interrupt stops what is being
+#' Daemons may come and go during a run; there may be none at its start. Each writes its parts
+#' itself: all hosts need the folder under the same path, and a daemon that does not see it ends the
+#' run with an error. A daemon of another version, compiler or C library is found by its bits before
+#' it writes (`rotdyn_error_canary`). The chunk of a daemon that is lost is computed by another one;
+#' lost three times, it counts as failed. A chunk that takes ten times as long as others and a
+#' minute is given out a second time. An error of R in a chunk is not tried again: the others go on.
+#' A daemon that cannot load its packages needs the environment variable `R_LIBS` before it starts,
+#' or `mirai::everywhere(.libPaths("..."))`; a message says so. An interrupt stops what is being
 #' computed; [sweep_resume()] goes on.
 #'
 #' Where daemons have many cores, `threads` uses them: one daemon with all threads of a host, or one

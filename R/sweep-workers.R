@@ -55,7 +55,9 @@ new_coordination <- function(plan, folder, todo, threads, compute, call) {
   run$looked <- -Inf
   run$able <- FALSE
   run$unable <- character()
-  nonce <- paste0("nonce-", Sys.info()[["nodename"]], "-", Sys.getpid(), "-", basename(tempfile("")))
+  nonce <- paste0(
+    "nonce-", Sys.info()[["nodename"]], "-", Sys.getpid(), "-", basename(tempfile(""))
+  )
   run$job <- list(
     folder = normalizePath(folder, mustWork = TRUE), threads = threads, nonce = nonce,
     hash = plan$hash, wait_s = run$times$late_file
@@ -288,8 +290,8 @@ chunk_on_daemon <- function(job) {
 # The plan of the run that this process has looked at.
 daemon_state <- new.env(parent = emptyenv())
 
-# A process looks once at a run: does it see the folder, does it compute the same bits? The functions
-# of a sweep are trusted by who gives out its chunks.
+# A process looks once at a run: does it see the folder, does it compute the same bits? Who gives
+# out the chunks of a sweep trusts its functions.
 plan_on_daemon <- function(job) {
   if (identical(daemon_state$nonce, job$nonce)) return(daemon_state$plan)
   for (package in c("nanoparquet", "yyjsonr")) need_package(package, "A sweep in a folder", NULL)
