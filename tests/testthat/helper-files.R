@@ -170,3 +170,10 @@ dialect_files <- function() {
     zip_file(list("Gyroscope.csv" = phyphox_lines(d), "meta/time.csv" = "\"event\",\"x\""))
   )
 }
+
+# The name of a folder that goes with the function that asks, or with that of `env`.
+folder_of <- function(env = parent.frame()) {
+  folder <- tempfile("sweep-")
+  do.call(on.exit, list(bquote(unlink(.(folder), recursive = TRUE)), add = TRUE), envir = env)
+  folder
+}

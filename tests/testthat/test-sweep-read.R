@@ -10,11 +10,6 @@ design <- design_sobol(3 * 2^16 + 77, seed = 5,
 plan <- sweep_plan(
   wheel, 400, design, outputs = c("final_theta_rad", "stop_time_s"), chunk_rows = 2^16
 )
-folder_of <- function() {
-  folder <- tempfile("sweep-")
-  withr::defer(unlink(folder, recursive = TRUE), parent.frame())
-  folder
-}
 
 test_that("a folder has the rows of memory, by any chunks", {
   memory <- sweep_run(plan)

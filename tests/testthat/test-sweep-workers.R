@@ -70,15 +70,9 @@ test_that("a daemon with other bits, or another folder, says so before it writes
 
 # A coordinator of a folder, without daemons: receipts are given to it by hand.
 coordinator <- function() {
-  folder <- withr_folder()
+  folder <- folder_of(parent.frame())
   made <- make_sweep_folder(plan, folder, environment())
   new_coordination(made, folder, as.double(1:7), 1, profile, environment())
-}
-
-withr_folder <- function(env = parent.frame(2)) {
-  folder <- tempfile("sweep-")
-  do.call(on.exit, list(bquote(unlink(.(folder), recursive = TRUE)), add = TRUE), envir = env)
-  folder
 }
 
 error_value <- function(x) structure(as.integer(x), class = c("errorValue", "try-error"))
