@@ -7,9 +7,12 @@
 #' [sweep_run()] carries it out.
 #'
 #' Rows are computed in one of three ways, named by the print. *core*: builder, model and outputs
-#' in C, for every scene without R functions. *table*: many rows at a time, for wheels, inclines and
-#' tumbling bodies in closed form where the inputs and outputs allow it. *scene*: a call of
-#' [trajectory()] for each row, for scenes with R functions and for `build`.
+#' in C, for every scene without R functions; each row has the bits of [trajectory()]. *table*: many
+#' rows at a time by a kernel, for wheels with viscous resistance, inclines and tumbling bodies in
+#' closed form, where the inputs are initial velocities, resistance, friction, slope or given
+#' moments of inertia, and the outputs states at one time or their extremes, and the error; a row
+#' agrees with [trajectory()] within both error figures. *scene*: a call of [trajectory()] for each
+#' row, for scenes with R functions and for `build`.
 #'
 #' The model is that which takes the most of 256 rows, and of these the cheapest. A row that it does
 #' not take, or whose scene a constructor refuses, gets a status and NaN.
@@ -29,6 +32,7 @@
 #' @param given A named list of what else `build` uses.
 #' @param accuracy As in [trajectory()]: one number.
 #' @param model A model of [models()] for all rows; NULL: chosen.
+#' @param kernel FALSE: without kernels, so that each row has the bits of [trajectory()].
 #' @param keep `"rows"`; `"summary"`, see [summary.rot_sweep()]; or a one-sided formula of inputs
 #'   and outputs: the rows for which it holds, and the summary of all.
 #' @param audit_rows How many rows a summary computes again by [trajectory()] with another model,
@@ -60,8 +64,8 @@
 #' sweep_run(plan)
 #' @export
 sweep_plan <- function(scene, time_s, design, outputs = NULL, ..., derive = NULL, build = NULL,
-                       given = list(), accuracy = 1e-9, model = NULL, keep = "rows",
-                       audit_rows = 100, chunk_rows = NULL) {
+                       given = list(), accuracy = 1e-9, model = NULL, kernel = TRUE,
+                       keep = "rows", audit_rows = 100, chunk_rows = NULL) {
   call <- check_no_dots(...)
   check_supplied(c(if (is.null(build)) "scene", "time_s", "design"), call)
   n <- check_design(design, "design", call)
@@ -88,6 +92,10 @@ sweep_plan <- function(scene, time_s, design, outputs = NULL, ..., derive = NULL
   plan <- plan_bound(plan, call)
   plan <- plan_outputs(plan, outputs, call)
   plan <- plan_model(plan, model, call)
+  kernel <- check_flag(kernel, "kernel", call)
+  if (kernel && plan$kind == "core" && .Call(ffi_sweep_is_table, core_sweep(plan))) {
+    plan$kind <- "table"
+  }
   plan <- plan_kept(plan, keep, call)
   class(plan) <- "rot_sweep_plan"
   plan <- plan_sums(plan)
@@ -478,7 +486,8 @@ print.rot_sweep_plan <- function(x, ...) {
 
 kind_words <- function(plan) {
   switch(plan$kind,
-    core = "core: scene and model in C, row by row", table = "table: many rows at a time in C",
+    core = "core: scene and model in C, row by row",
+    table = "table: many rows at a time by a kernel",
     scene = "scene: trajectory() for each row"
   )
 }

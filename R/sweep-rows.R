@@ -4,11 +4,13 @@
 core_sweep <- function(plan, threads = 1) {
   list(
     node = plan$node, inputs = plan$inputs, bound = plan$bound, time_s = plan$time_s,
-    model = plan$model, asked = as.double(plan$asked), accuracy = plan$accuracy,
-    max_steps = plan$max_steps, outputs = plan$outputs, design = plan$design,
+    model = plan$model, table = as.double(plan$kind == "table"),
+    asked = as.double(plan$asked), accuracy = plan$accuracy, max_steps = plan$max_steps,
+    outputs = plan$outputs, design = plan$design,
     derived = unname(plan$derived),
     # A thread takes some milliseconds of work at a time.
-    part = max(1, min(1024, floor(5e-3 / (plan$row_s %||% 1e-5)))), threads = as.double(threads)
+    part = max(1, min(if (plan$kind == "table") 8192 else 1024,
+                      floor(5e-3 / (plan$row_s %||% 1e-5)))), threads = as.double(threads)
   )
 }
 

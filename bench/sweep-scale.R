@@ -101,7 +101,7 @@ three_inputs <- function(n) {
 
 seven <- c(
   "final_theta_rad", "final_omega_rad_per_s", "max_omega_rad_per_s", "min_omega_rad_per_s",
-  "max_abs_omega_rad_per_s", "error", "steps"
+  "max_abs_omega_rad_per_s", "max_theta_rad", "error"
 )
 
 run_plan <- function(plan, threads) function() sweep_run(plan, threads = threads)

@@ -6,6 +6,7 @@
 #include "glue/formula.h"
 #include "glue/object.h"
 #include "glue/run.h"
+#include "sweep/table.h"
 
 static const char **texts(SEXP x, const char *what, size_t *n) {
   if (TYPEOF(x) != STRSXP) Rf_error("internal: `%s` is not text", what);
@@ -24,6 +25,7 @@ rot_sweep ffi_sweep(SEXP x) {
   to.plan.time_s = ffi_reals(time_s, "time_s", -1);
   to.plan.n_times = (size_t)XLENGTH(time_s);
   to.plan.model = Rf_isNull(model) ? NULL : ffi_text(model, "model");
+  to.table = ffi_number_of(x, "table") != 0.0;
   to.plan.asked = ffi_number_of(x, "asked") != 0.0;
   to.plan.accuracy = ffi_number_of(x, "accuracy");
   to.plan.max_steps = ffi_number_of(x, "max_steps");
@@ -151,6 +153,19 @@ SEXP ffi_sweep_model(SEXP x, SEXP rows) {
   SET_VECTOR_ELT(out, 1, Rf_ScalarReal((double)taken));
   UNPROTECT(1);
   return out;
+}
+
+/* sweep => TRUE if a kernel computes its rows */
+SEXP ffi_sweep_is_table(SEXP x) {
+  char fault[FFI_OBJECT_FAULT];
+  rot_sweep sweep = ffi_sweep(x);
+  rot_table *table = NULL;
+  rot_object *scene = ffi_sweep_scene(x, &sweep, fault);
+  const rot_status status = scene ? rot_table_open(&sweep.plan, &table) : ROT_OK;
+  rot_table_close(table);
+  rot_object_free(scene);
+  if (status != ROT_OK) Rf_error("internal: %s", rot_status_text(status));
+  return Rf_ScalarLogical(table != NULL);
 }
 
 /* => names of the statuses of rows, from 0 */

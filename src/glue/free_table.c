@@ -17,7 +17,7 @@ SEXP ffi_free_table(SEXP list, SEXP threads, SEXP progress) {
 #undef IN
   in.n = (size_t)rows;
   SEXP columns = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
-  rot_free_table_columns out;
+  rot_free_table_columns out = {.omega_error = NULL};
   ROT_FREE_TABLE_COLUMNS(FFI_COLUMN_NEW)
   rot_info info;
   ffi_guard guard;

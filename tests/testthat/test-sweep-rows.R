@@ -7,7 +7,7 @@ call <- environment()
 one_input <- function(scene, path, values, outputs, time_s) {
   design <- design_list(stats::setNames(data.frame(values), path))
   tryCatch(
-    sweep_plan(scene, time_s, design, outputs = outputs),
+    sweep_plan(scene, time_s, design, outputs = outputs, kernel = FALSE),
     rotdyn_error_value = function(e) NULL, rotdyn_error_model = function(e) NULL
   )
 }

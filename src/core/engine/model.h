@@ -6,6 +6,7 @@
 
 #include <stdint.h>
 
+#include "engine/batch.h"
 #include "engine/events.h"
 #include "engine/input.h"
 #include "engine/resistance.h"
@@ -217,6 +218,7 @@ typedef struct rot_constraint {
   const char *(*term_words)(const void *scene, size_t term);
   /* NULL where no effect may be dropped; else the scene without effects, in the store. */
   rot_status (*reduce)(const void *scene, unsigned without, rot_store *store, void *to);
+  const rot_batch *batches; /* kernels of some of its models; NULL: none. Ends with a model NULL. */
 } rot_constraint;
 
 #define ROT_COUNT(list) (sizeof(list) / sizeof *(list))

@@ -18,6 +18,7 @@ typedef struct rot_sweep {
   const size_t *bound;        /* of each input of the plan: which of the inputs and derived ones */
   size_t part;                /* rows that a thread takes at a time */
   int threads;
+  int table; /* 1: by a batch kernel, where there is one (sweep/table.h) */
 } rot_sweep;
 
 /* Columns of up to ROT_BLOCK_MAX rows. */

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "scene/axle/batch.h"
 #include "scene/axle/balances.h"
 #include "scene/axle/drop.h"
 #include "scene/axle/forced.h"
@@ -321,4 +322,5 @@ const rot_constraint rot_axle_constraint = {
     .breaks = rot_axle_breaks,
     .shows = rot_axle_shows,
     .reduce = rot_axle_reduce,
+    .batches = rot_axle_batches,
 };

@@ -17,7 +17,8 @@ typedef struct rot_free_block {
   double omega[3][ROT_FREE_BLOCK];  /* principal axes; in: at the start, out: at the time */
   double q[4][ROT_FREE_BLOCK];      /* attitude; in: at the start, any length, out: at the time */
   double time[ROT_FREE_BLOCK];
-  double error[ROT_FREE_BLOCK]; /* out: bound on the angle of the error of the attitude */
+  double error[ROT_FREE_BLOCK];       /* out: bound on the angle of the error of the attitude */
+  double omega_error[ROT_FREE_BLOCK]; /* out: bound on the length of the error of the rates */
   /* out: 0: the kernel does not apply (steady spin, m1 below 1e-30, more than 2^50 half periods,
    * numbers whose squares nearly under- or overflow, NaN). */
   double good[ROT_FREE_BLOCK];
@@ -620,6 +621,11 @@ ROT_INLINE void rot_free_pass_one(rot_free_block *x, size_t i) {
                           4.0 * times * loss * rot_pair_abs(swing.by) +
                           ROT_EPS * (rounding + rounding0);
   const rot_pair error = 24.0 * ROT_EPS + by_psi + per_u * du;
+  const rot_pair turn_o = cross_c / io, turn_c = cross_o / ic, turn_1 = cross_1 / i1;
+  const rot_pair speed = rot_pair_sqrt(turn_o * turn_o + turn_c * turn_c + turn_1 * turn_1);
+  const rot_pair moved = rot_pair_if_more(ROT_BOTH(1e-3), du, 1.1 * speed / lambda.hi, rate + rate);
+  const rot_pair length = rot_pair_sqrt(vo * vo + v1 * v1 + wc1 * wc1);
+  rot_store(x->omega_error + i, lanes.unit * (12.0 * ROT_EPS * length + moved * du));
   const rot_pair pi = ROT_BOTH(0x1.921fb54442d18p+1);
   rot_store(x->error + i, rot_pair_if_more(pi, error, error, pi));
   /* error neither too large nor NaN */

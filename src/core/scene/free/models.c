@@ -4,6 +4,7 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "scene/free/batch.h"
 #include "scene/free/exact.h"
 #include "scene/free/gyrostat.h"
 #include "scene/free/inputs.h"
@@ -150,4 +151,5 @@ const rot_constraint rot_free_constraint = {
     .conserved = rot_free_conserved,
     .time_scales = rot_free_time_scales,
     .shows = rot_free_shows,
+    .batches = rot_free_batches,
 };

@@ -41,6 +41,7 @@ static void any_row(const rot_free_table_rows *in, size_t i, const rot_free_tabl
   out->final_omega_y_rad_per_s[i] = at.omega[1];
   out->final_omega_z_rad_per_s[i] = at.omega[2];
   out->error[i] = at.q_error + 8.0 * ROT_EPS;
+  if (out->omega_error) out->omega_error[i] = at.omega_error;
 }
 
 /* Unused lanes get NaN: the kernel computes another body for them. */
@@ -74,6 +75,7 @@ static void block_rows(const frame *f, size_t first, size_t n) {
     out->final_omega_y_rad_per_s[i] = x.omega[1][l];
     out->final_omega_z_rad_per_s[i] = x.omega[2][l];
     out->error[i] = x.error[l] + 8.0 * ROT_EPS;
+    if (out->omega_error) out->omega_error[i] = x.omega_error[l];
     if (!(x.good[l] > 0.0)) any_row(in, i, out);
   }
 }

@@ -27,6 +27,7 @@ typedef struct rot_free_table_columns {
 #define X(type, name) type *name;
   ROT_FREE_TABLE_COLUMNS(X)
 #undef X
+  double *omega_error; /* bound on the length of the error of the rates, rad/s; NULL: not wanted */
 } rot_free_table_columns;
 
 /* bodies => columns. threads: at most that many (ground/parallel.h). A row without a motion

@@ -4,6 +4,7 @@
 #include <stddef.h>
 
 #include "engine/ode/fixed.h"
+#include "scene/incline/batch.h"
 #include "scene/incline/ledger.h"
 #include "scene/incline/time_scales.h"
 #include "scene/incline/runs.h"
@@ -139,4 +140,5 @@ const rot_constraint rot_incline_constraint = {
     .conserved = rot_incline_conserved,
     .time_scales = rot_incline_time_scales,
     .event_rows = 1,
+    .batches = rot_incline_batches,
 };

@@ -32,8 +32,8 @@ static void run(table *x, int threads) {
                                     {{c[3], 1}, {c[4], 1}, {c[5], 1}},
                                     {{c[6], 1}, {c[7], 1}, {c[8], 1}, {c[9], 1}},
                                     {c[10], 1}};
-  const rot_free_table_columns out = {x->out[0], x->out[1], x->out[2], x->out[3],
-                                      x->out[4], x->out[5], x->out[6], x->out[7]};
+  const rot_free_table_columns out = {x->out[0], x->out[1], x->out[2], x->out[3], x->out[4],
+                                      x->out[5], x->out[6], x->out[7], NULL};
   rot_info info;
   memset(x->out, 0, sizeof x->out);
   ROT_CHECK(rot_free_table(&rows, threads, &out, NULL, &info) == ROT_OK && info.rows_done == x->n);
