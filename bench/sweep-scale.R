@@ -134,16 +134,27 @@ package_sweeps <- function(n = 2^18) {
   )
 }
 
-designs <- function() {
+# Numbers of Sobol's sequence in the core, and rows of a design in R.
+designs <- function(program, n = 65536) {
+  u <- (seq_len(n) - 0.5) / n
+  time <- function(how) {
+    us <- suppressMessages(paired("sweep-scale", how, list(
+      contender(how, child(program, paste("sobol", how), u))
+    ), rounds))$median_us
+    us / (2 * n) * 1e3
+  }
+  figure("Sobol's sequence, scrambled: a number", time("scrambled"), 3, unit = " ns")
+  figure("  not scrambled", time("plain"), 3, unit = " ns")
+  figure("  a row of two numbers by itself, of 2^40", 2 * time("one") / 1e3, 1, unit = " us")
   n <- 2^20
   design <- three_inputs(2^40)
   rows <- function() design_rows(design, 1, n)
   rows()
   ns <- min(replicate(rounds, system.time(rows())[["elapsed"]])) / (3 * n) * 1e9
-  figure("Sobol design of 2^40 rows: a number", ns, unit = " ns")
+  figure("design_rows() of three uniform inputs: a number", ns, unit = " ns")
   one <- function() for (i in 1:100) design_rows(design, 2^39, 1)
   first_us <- min(replicate(rounds, system.time(one())[["elapsed"]])) * 1e4
-  figure("  row 2^39 by its number", first_us, unit = " us")
+  figure("  row 2^39 alone", first_us, unit = " us")
 }
 
 # Peak memory of this process in MB; NA where the system does not tell.
@@ -170,7 +181,7 @@ if ("--billion" %in% args || any(startsWith(args, "--rows="))) {
   program <- compile_program("rows-core", c(core_files(), openmp()))
   core_rows(program)
   core_threads(program)
-  designs()
+  designs(program)
   package_sweeps()
 }
 unlink(scratch, recursive = TRUE)

@@ -6,10 +6,13 @@
  *   build MODEL  the numbers set and the scene built, alone
  *   pair MODEL   the same, and the model's own run of it
  *   1 MODEL      rot_block_run() of a Sobol design of as many rows, one thread
- *   2 MODEL      the same, two threads */
+ *   2 MODEL      the same, two threads
+ *   sobol plain | scrambled   rows of two columns of Sobol's sequence, from row 2^39 on
+ *   sobol one                 the same, scrambled, each row by itself, spread over 2^40 rows */
 #include <math.h>
 
 #include "child.h"
+#include "design/sobol.h"
 #include "sweep/block.h"
 
 /* Two numbers that vary, in orders of their own. */
@@ -223,8 +226,31 @@ static int run_block(const bench *b, solution *s, int threads) {
   return status != ROT_OK;
 }
 
+static int run_sobol(const char *how, solution *s) {
+  static rot_sobol x[2];
+  static int ready;
+  const uint64_t seed = 1, far = (uint64_t)1 << 39;
+  if (!ready) {
+    for (size_t k = 0; k < 2; k++) rot_sobol_begin(&x[k], k, strcmp(how, "plain") ? &seed : NULL);
+    ready = 1;
+  }
+  if (!strcmp(how, "one")) {
+    for (size_t i = 0; i < s->n; i++) {
+      const uint64_t row = (uint64_t)i * (2 * far / s->n) + 1;
+      rot_sobol_column(&x[0], row, 1, s->theta_rad + i);
+      rot_sobol_column(&x[1], row, 1, s->omega_rad_per_s + i);
+    }
+  } else {
+    rot_sobol_column(&x[0], far, s->n, s->theta_rad);
+    rot_sobol_column(&x[1], far, s->n, s->omega_rad_per_s);
+  }
+  s->rhs_calls = 0;
+  return 0;
+}
+
 static int solve(const char *how, solution *s) {
   static bench b;
+  if (!strncmp(how, "sobol ", 6)) return run_sobol(how + 6, s);
   const char *model = strchr(how, ' ');
   int failed = 0;
   if (!model || (!b.scene && !open_bench(&b, model + 1, s))) return 1;

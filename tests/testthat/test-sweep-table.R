@@ -98,3 +98,28 @@ test_that("a folder keeps the way of its rows", {
   expect_error(sweep_run(sweep_plan(wheel, 2, design, kernel = FALSE), folder), "kind",
                class = "rotdyn_error_folder")
 })
+
+test_that("threads that take whole blocks change no row, no sum and no order", {
+  quick <- function(keep, design) {
+    sweep_plan(wheel, 2, design, c("final_theta_rad", "error"), keep = keep)
+  }
+  designs <- list(
+    design_random(6 * 2^16 + 7, seed = 3, "omega0_rad_per_s" = vary_uniform(-3, 3)),
+    design_saltelli(2^16, seed = 3, "omega0_rad_per_s" = vary_uniform(-3, 3),
+                    "body" = vary_uniform(0.05, 0.08))
+  )
+  for (design in designs) {
+    for (keep in list("rows", "summary", ~ final_theta_rad > 8)) {
+      plan <- quick(keep, design)
+      one <- sweep_run(plan)
+      for (threads in 2:3) {
+        more <- sweep_run(plan, threads = threads)
+        expect_identical(sweep_digest(more), sweep_digest(one))
+        expect_identical(as.list(more), as.list(one), ignore_attr = TRUE)
+      }
+    }
+  }
+  expect_gt(nrow(one), 0)
+  expect_lt(nrow(one), plan$n / 2)
+  expect_identical(one$row[one$final_theta_rad <= 8], double())
+})

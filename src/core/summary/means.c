@@ -28,26 +28,64 @@ void rot_means_free(rot_means *m) {
   free(m);
 }
 
+enum { LANES = 4, LONG_RUN = 16 };
+
+/* Rows of one group in a row => added to it. Four sums take the values in turns: one alone waits
+ * for its last addition, 6.8 ns a value instead of 1.3. */
+static void add_run(rot_means_group *group, size_t n, const double x[], const int status[]) {
+  double sum[LANES] = {0.0}, low[LANES] = {0.0};
+  for (size_t i = 0; i < n; i += LANES) {
+    for (size_t k = 0; k < LANES && i + k < n; k++) {
+      const int counts = isfinite(x[i + k]) && !(status && status[i + k]);
+      group->count += (uint64_t)counts;
+      rot_accumulate(&sum[k], &low[k], counts ? x[i + k] : 0.0);
+    }
+  }
+  rot_dd s[LANES];
+  for (int k = 0; k < LANES; k++) s[k] = rot_sum_of(sum[k], low[k]);
+  s[0] = rot_sum_add(rot_sum_add(s[0], s[1]), rot_sum_add(s[2], s[3]));
+  group->sum = rot_sum_add(group->sum, s[0]);
+}
+
+/* Groups that change every few rows: their sums are independent as they are. */
+static void add_turns(rot_means *m, rot_means_group *group, uint64_t first_row, size_t n,
+                      const double x[], const int status[]) {
+  size_t g = (size_t)(first_row / m->run % m->replicates);
+  uint64_t left = m->run - first_row % m->run; /* rows left of the group's run */
+  for (size_t i = 0; i < n; i++) {
+    if (isfinite(x[i]) && !(status && status[i])) {
+      group[g].count++;
+      rot_accumulate(&group[g].sum.hi, &group[g].sum.lo, x[i]);
+    }
+    if (--left > 0) continue;
+    left = m->run;
+    g = g + 1 == m->replicates ? 0 : g + 1;
+  }
+  for (g = 0; g < m->replicates; g++) {
+    group[g].sum = rot_sum_of(group[g].sum.hi, group[g].sum.lo);
+  }
+}
+
+static void add_runs(rot_means *m, rot_means_group *group, uint64_t first_row, size_t n,
+                     const double x[], const int status[]) {
+  for (size_t i = 0; i < n;) {
+    const uint64_t row = first_row + i, left = m->run - row % m->run;
+    const size_t here = left < n - i ? (size_t)left : n - i;
+    add_run(&group[row / m->run % m->replicates], here, x + i, status ? status + i : NULL);
+    i += here;
+  }
+}
+
 rot_status rot_means_add(rot_means *m, uint64_t first_row, size_t n, const double *const column[],
                          const int status[]) {
   const rot_extent span = {first_row, n, m->span.block_rows};
   if (m->span.rows > 0 || !rot_extent_is_block(span)) return ROT_EVALUE;
   for (size_t c = 0; c < m->n_columns; c++) {
     rot_means_group *group = m->group + c * m->replicates;
-    size_t g = (size_t)(first_row / m->run % m->replicates);
-    uint64_t left = m->run - first_row % m->run; /* rows left of the group's run */
-    for (size_t i = 0; i < n; i++) {
-      const double x = column[c][i];
-      if (isfinite(x) && !(status && status[i])) {
-        group[g].count++;
-        rot_accumulate(&group[g].sum.hi, &group[g].sum.lo, x);
-      }
-      if (--left > 0) continue;
-      left = m->run;
-      g = g + 1 == m->replicates ? 0 : g + 1;
-    }
-    for (g = 0; g < m->replicates; g++) {
-      group[g].sum = rot_sum_of(group[g].sum.hi, group[g].sum.lo);
+    if (m->run < LONG_RUN) {
+      add_turns(m, group, first_row, n, column[c], status);
+    } else {
+      add_runs(m, group, first_row, n, column[c], status);
     }
   }
   m->span = span;
