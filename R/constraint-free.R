@@ -224,5 +224,5 @@ free_periods <- function(scene, call) {
   if (length(core_effects("free", scene))) {
     abort_no_period(scene, call, "{.fn trajectory} and {.fn time_when} show the motion.")
   }
-  free_period(scene)
+  .Call(ffi_free_period, scene)
 }

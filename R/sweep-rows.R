@@ -58,7 +58,8 @@ scene_of_row <- function(plan, i, call, row = NULL) {
     return(scene)
   }
   paths <- setdiff(plan$inputs, if (!"time_s" %in% plan$known$path) "time_s")
-  scene_of_node(node_with(plan$node, paths, unlist(row[paths]), plan$known), call)
+  values <- unlist(row[paths], use.names = FALSE)
+  scene_of_node(node_with(plan$node, paths, values, plan$known), call)
 }
 
 # The times of a row: the start, and those of the plan, as src/core/sweep/rows.c has them.

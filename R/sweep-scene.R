@@ -69,7 +69,8 @@ outputs_of_motion <- function(motion, outputs) {
       supplied_j = return(sum(audited$supplied[audited$balance == "energy"])),
       lost_j = return(sum(audited$dissipated[audited$balance == "energy"])),
       balanced = return(as.double(all(audited$verdict == "balanced"))),
-      stop_time_s = return(stop_of_motion(motion, run, constraint))
+      stop_time_s = return(stop_of_motion(motion, run, constraint)),
+      period_s = return(period_of_row(run$scene, constraint))
     )
     if (grepl("^first_.*_time_s$|^n_", base)) return(event_of_motion(run, base, place))
     kind <- sub("^(final|max_abs|max|min)_.*$", "\\1", base)
@@ -82,6 +83,12 @@ outputs_of_motion <- function(motion, outputs) {
     )
   }, double(1), USE.NAMES = FALSE)
   replace(values, is.na(values), NaN)
+}
+
+# NaN where there is none in closed form.
+period_of_row <- function(scene, constraint) {
+  tryCatch(constraint$periods(scene, rlang::current_env())$period_s[1],
+           rotdyn_error_model = function(e) NaN)
 }
 
 # NaN where all are.

@@ -174,7 +174,7 @@ polhode <- function(scene, n = 201, ...) {
     )
   }
   n <- check_number(n, "n", "1", call, lower = 2)
-  found <- free_period(scene)
+  found <- .Call(ffi_free_period, scene)
   if (found$kind == "separatrix") {
     abort_rotdyn("The motion on the separatrix has no period.", "value", call)
   }
@@ -183,25 +183,6 @@ polhode <- function(scene, n = 201, ...) {
   out <- compute_trajectory(scene, times, 1e-9, "free_exact", "abort", 1e6, call)
   class(out) <- c("rot_polhode", class(out))
   out
-}
-
-# The time after which omega repeats in the body's axes; of a steady spin that of its turn.
-free_period <- function(scene) {
-  wobble <- 2 * scene_flip_time(scene)
-  if (is.finite(wobble)) return(list(period_s = wobble, kind = "wobble"))
-  omega <- scene$omega0_rad_per_s
-  rate <- sqrt(sum(omega^2))
-  if (rate == 0) return(list(period_s = NaN, kind = "none"))
-  turned <- drop(free_tensor(scene) %*% omega)
-  # omega and L of a steady spin are parallel, or both lie across an axis of equal moments.
-  cross <- c(
-    turned[2] * omega[3] - turned[3] * omega[2], turned[3] * omega[1] - turned[1] * omega[3],
-    turned[1] * omega[2] - turned[2] * omega[1]
-  )
-  steady <- max(abs(cross)) <= 1e-12 * rate * max(abs(turned))
-  list(
-    period_s = if (steady) 2 * pi / rate else Inf, kind = if (steady) "rotation" else "separatrix"
-  )
 }
 
 # A half period of the motion as it starts, without torque.

@@ -1,5 +1,6 @@
 /* For R: free bodies. */
-#include "glue/ffi.h"
+#include "glue/scene.h"
+#include "scene/choice.h"
 #include "scene/free/exact.h"
 
 /* three columns of principal moments, three of rates => times between flips; NA for impossible
@@ -24,6 +25,23 @@ SEXP ffi_free_flips(SEXP moments, SEXP rates) {
     }
     REAL(out)[i] = rot_free_flip_time(m, w, &time_s) == ROT_OK ? time_s : NA_REAL;
   }
+  UNPROTECT(1);
+  return out;
+}
+
+/* scene without torque, damping and rotors => list(period_s, kind) */
+SEXP ffi_free_period(SEXP scene) {
+  static const char *const names[] = {"period_s", "kind", ""};
+  static const char *const kinds[] = {[ROT_FREE_STILL] = "none",
+                                      [ROT_FREE_WOBBLE] = "wobble",
+                                      [ROT_FREE_ROTATION] = "rotation",
+                                      [ROT_FREE_SEPARATRIX] = "separatrix"};
+  rot_free_cycle cycle;
+  const double period_s =
+      rot_free_period(ffi_scene_build(rot_choice_constraint("free"), scene), &cycle);
+  SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
+  SET_VECTOR_ELT(out, 0, Rf_ScalarReal(period_s));
+  SET_VECTOR_ELT(out, 1, Rf_mkString(kinds[cycle]));
   UNPROTECT(1);
   return out;
 }

@@ -136,3 +136,36 @@ test_that("R functions of a scene and a function that builds scenes are run row 
     class = "rotdyn_error_type"
   )
 })
+
+test_that("an input without bound may be Inf", {
+  slope <- scene_incline(body_disk(1, 0.2), 20, static_friction = Inf)
+  plan <- sweep_plan(slope, 1, design_list(data.frame(static_friction = c(Inf, 0.01))))
+  rows <- sweep_run(plan)
+  expect_identical(rows$status, c("ok", "ok"))
+  # Rolls with 2/3 of the acceleration of a body that slides without friction.
+  expect_equal(rows$final_x_m[1], 9.80665 * sin(20 * pi / 180) / 3, tolerance = 1e-14)
+  expect_gt(rows$final_x_m[2], rows$final_x_m[1])
+  expect_identical(by_trajectory(plan)$r$status, c(0L, 0L))
+})
+
+test_that("the period of a row is that of its scene", {
+  pendulum <- scene_pendulum(body_disk(1.5, 0.1), 0.3, theta0_rad = 1)
+  plan <- sweep_plan(pendulum, 1, design_list(data.frame(theta0_rad = c(0.1, 1, 3))), "period_s")
+  rows <- sweep_run(plan)
+  # 2/pi K(sin^2(1/2)) by mpmath; the small swing is 2 pi sqrt(I/(m g d)).
+  small <- 2 * pi * sqrt((0.5 * 1.5 * 0.1^2 + 1.5 * 0.3^2) / (1.5 * 9.80665 * 0.3))
+  expect_equal(rows$period_s[2] / small, 1.06633424557996305, tolerance = 1e-14)
+  for (i in 1:3) expect_identical(rows$period_s[i], period_of(sweep_scene(plan, i))$period_s)
+  brick <- scene_free(c(2, 2.5, 3), c(0.1, 1, 0.2))
+  turns <- sweep_plan(brick, 1, design_list(data.frame(
+    "body[2]" = c(2.2, 2.5, 2.8), check.names = FALSE
+  )), "period_s")
+  rows <- sweep_run(turns)
+  for (i in 1:3) expect_identical(rows$period_s[i], period_of(sweep_scene(turns, i))$period_s)
+  # A drag has none; a clutch has no such output.
+  oiled <- scene_axle(1, resistance = resistance(0.1), omega0_rad_per_s = 2)
+  expect_identical(
+    sweep_run(sweep_plan(oiled, 1, design_list(data.frame(body = 1)), "period_s"))$period_s, NaN
+  )
+  expect_false("period_s" %in% sweep_outputs(scene_incline(body_disk(1, 0.2), 20))$output)
+})

@@ -218,6 +218,8 @@ typedef struct rot_constraint {
   const char *(*term_words)(const void *scene, size_t term);
   /* NULL where no effect may be dropped; else the scene without effects, in the store. */
   rot_status (*reduce)(const void *scene, unsigned without, rot_store *store, void *to);
+  /* NULL, or the period of the motion (of the axle's cycle, of a free body's wobble); NaN: none. */
+  double (*period_s)(const void *scene);
   const rot_batch *batches; /* kernels of some of its models; NULL: none. Ends with a model NULL. */
 } rot_constraint;
 

@@ -11,6 +11,7 @@ static const struct {
   const char *name, *unit, *words;
 } whole_run[] = {
     {ROT_OUT_STOP, "stop_time_s", "s", "time since when all is at rest; Inf: it moves at the end"},
+    {ROT_OUT_PERIOD, "period_s", "s", "period of the motion in closed form; NaN: it has none"},
     {ROT_OUT_SUPPLIED, "supplied_j", "J", "energy supplied from the first time to the last"},
     {ROT_OUT_LOST, "lost_j", "J", "energy lost to resistance from the first time to the last"},
     {ROT_OUT_BALANCED, "balanced", "1", "1: all balances of the audit hold; 0: one does not"},
@@ -68,7 +69,8 @@ int rot_output_named(const rot_constraint *c, const char *name, rot_output_of *t
   if (!split_place(name, base, &to->place)) return 0;
   for (int i = 0; i < WHOLE_RUN; i++) {
     to->kind = whole_run[i].kind;
-    if (!strcmp(base, whole_run[i].name)) return to->place == 0;
+    if (strcmp(base, whole_run[i].name)) continue;
+    return to->place == 0 && (to->kind != ROT_OUT_PERIOD || c->period_s);
   }
   for (int i = 0; i < OF_COLUMN; i++) {
     const char *column = behind(base, of_column[i].prefix);
@@ -121,6 +123,7 @@ void rot_outputs_walk(const rot_constraint *c, const void *scene, rot_output_vis
   }
   for (int i = 0; i < WHOLE_RUN; i++) {
     if (whole_run[i].kind == ROT_OUT_STOP && !(c->events >> ROT_EVENT_STICK & 1u)) continue;
+    if (whole_run[i].kind == ROT_OUT_PERIOD && !c->period_s) continue;
     if (visit(whole_run[i].name, whole_run[i].unit, whole_run[i].words, ctx)) return;
   }
 }
@@ -248,6 +251,7 @@ rot_status rot_outputs_of(const rot_output_run *run, size_t n, const rot_output_
     case ROT_OUT_FIRST:
     case ROT_OUT_COUNT: value[i] = of_events(run, &outputs[i]); break;
     case ROT_OUT_STOP: value[i] = stop_of(run); break;
+    case ROT_OUT_PERIOD: value[i] = run->constraint->period_s(run->scene); break;
     case ROT_OUT_SUPPLIED: value[i] = found.supplied; break;
     case ROT_OUT_LOST: value[i] = found.lost; break;
     case ROT_OUT_BALANCED: value[i] = found.balanced; break;

@@ -12,6 +12,7 @@ typedef enum rot_output_kind {
   ROT_OUT_FIRST,    /* time of the first event of a kind; Inf: there is none */
   ROT_OUT_COUNT,    /* number of events of a kind */
   ROT_OUT_STOP,     /* time since when it is at rest, up to the last time; Inf: it moves then */
+  ROT_OUT_PERIOD,   /* of the motion, where the constraint has one; NaN: none */
   ROT_OUT_SUPPLIED, /* energy, from the first to the last time */
   ROT_OUT_LOST,     /* to resistance */
   ROT_OUT_BALANCED, /* 1: all balances are; 0: one is not; NaN: one is not known */

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "scene/axle/batch.h"
+#include "scene/axle/period.h"
 #include "scene/axle/balances.h"
 #include "scene/axle/drop.h"
 #include "scene/axle/forced.h"
@@ -291,6 +292,8 @@ static void drop(const void *scene, const rot_model *model, unsigned untaken,
   rot_axle_drop(scene, model, rot_axle_forms[model - models], untaken, query, worst, to);
 }
 
+static double period_s(const void *scene) { return rot_axle_period(scene).period_s; }
+
 const rot_constraint rot_axle_constraint = {
     .id = "axle",
     .measures = rot_turning,
@@ -322,5 +325,6 @@ const rot_constraint rot_axle_constraint = {
     .breaks = rot_axle_breaks,
     .shows = rot_axle_shows,
     .reduce = rot_axle_reduce,
+    .period_s = period_s,
     .batches = rot_axle_batches,
 };

@@ -7,6 +7,8 @@
 #include "scene/free/motion.h"
 #include "engine/stepping.h"
 
+static const double pi = 0x1.921fb54442d18p+1;
+
 typedef struct run {
   const rot_free_params *p;
   rot_free_motion motion;
@@ -130,6 +132,27 @@ void rot_free_flows(const rot_free_params *p, double from_s, double to_s,
   if (p->damping_per_s == 0.0) return;
   flow[1] = -energy * exp(-2.0 * before) * expm1(-2.0 * during);
   for (int i = 0; i < 3; i++) flow[5 + i] = space[i] * exp(-before) * expm1(-during);
+}
+
+double rot_free_period(const rot_free_params *p, rot_free_cycle *cycle) {
+  run r;
+  rot_free_cycle own = ROT_FREE_STILL;
+  double period = NAN;
+  if (begin(p, &r) == ROT_OK && !r.motion.still) {
+    const double half = rot_free_half_period(&r.motion);
+    if (half < INFINITY) {
+      own = ROT_FREE_WOBBLE;
+      period = 2.0 * half;
+    } else if (r.motion.steady) {
+      own = ROT_FREE_ROTATION;
+      period = 2.0 * pi / rot_length(p->omega0_rad_per_s);
+    } else {
+      own = ROT_FREE_SEPARATRIX;
+      period = INFINITY;
+    }
+  }
+  if (cycle) *cycle = own;
+  return period;
 }
 
 rot_status rot_free_flip_time(const double moment_kg_m2[3], const double omega_rad_per_s[3],

@@ -20,6 +20,17 @@ rot_status rot_free_exact(const rot_free_params *p, size_t n, const double time_
 void rot_free_flows(const rot_free_params *p, double from_s, double to_s,
                     double flow[ROT_FREE_FLOWS]);
 
+typedef enum rot_free_cycle {
+  ROT_FREE_STILL,
+  ROT_FREE_WOBBLE,    /* omega repeats in the body's axes */
+  ROT_FREE_ROTATION,  /* steady spin: a turn */
+  ROT_FREE_SEPARATRIX /* tends to a spin about the middle axis: Inf */
+} rot_free_cycle;
+
+/* undamped motion without torque and rotors => period in s; NaN: it does not move, or has no closed
+ * form. cycle may be NULL. */
+double rot_free_period(const rot_free_params *p, rot_free_cycle *cycle);
+
 /* (moments, rates) => time between two flips of the undamped motion; Inf: none. ROT_EVALUE,
  * ROT_ERANGE as rot_free_begin(). */
 rot_status rot_free_flip_time(const double moment_kg_m2[3], const double omega_rad_per_s[3],

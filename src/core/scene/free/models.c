@@ -38,6 +38,10 @@ static unsigned effects_of(const void *of) {
          (rot_free_has_motors(p) ? MOTORS : 0u);
 }
 
+static double period_s(const void *scene) {
+  return effects_of(scene) ? NAN : rot_free_period(scene, NULL);
+}
+
 const char *rot_free_refuses_exact(const void *scene, const rot_query *query) {
   (void)query;
   return rot_free_not_exact(scene);
@@ -151,5 +155,6 @@ const rot_constraint rot_free_constraint = {
     .conserved = rot_free_conserved,
     .time_scales = rot_free_time_scales,
     .shows = rot_free_shows,
+    .period_s = period_s,
     .batches = rot_free_batches,
 };
