@@ -1,11 +1,11 @@
 #include "measure/coast_fit.h"
 
 #include <float.h>
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_multifit_nlinear.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include "maths/least_squares.h"
 
 enum { P = ROT_COAST_PARAMETERS, ALL = ROT_COAST_ALL };
 
@@ -121,61 +121,31 @@ static rot_status linearise(work *w) {
   return ROT_OK;
 }
 
-static void take(work *w, const gsl_vector *x) {
-  for (size_t j = 0; j < w->columns; j++) w->p[w->column[j]] = gsl_vector_get(x, j);
+static void take(work *w, const double x[]) {
+  for (size_t j = 0; j < w->columns; j++) w->p[w->column[j]] = x[j];
 }
 
-/* Residual where the motion cannot be computed: the solver rejects the step. */
-static const double REFUSED = 1e100;
-
-static int call_f(const gsl_vector *x, void *data, gsl_vector *f) {
-  work *w = data;
+static rot_status call_residual(const double x[], double r[], void *ctx) {
+  work *w = ctx;
   const size_t n = w->record->n;
   take(w, x);
-  int fits = rows_of(w, 0) == ROT_OK;
+  const rot_status status = rows_of(w, 0);
   const int uneven = is_uneven(w);
-  for (size_t i = 0; i < n && fits; i++) {
-    w->r[i] = residual_at(w, i, uneven, NULL);
-    fits = fabs(w->r[i]) < REFUSED;
-  }
-  if (fits) fits = rot_whiten(w->noise, n, w->record->t, 1, w->r, NULL) == ROT_OK;
-  for (size_t i = 0; i < n; i++) gsl_vector_set(f, i, fits ? w->r[i] : REFUSED);
-  return GSL_SUCCESS;
+  for (size_t i = 0; i < n && status == ROT_OK; i++) r[i] = residual_at(w, i, uneven, NULL);
+  return status == ROT_OK ? rot_whiten(w->noise, n, w->record->t, 1, r, NULL) : status;
 }
 
-static int call_df(const gsl_vector *x, void *data, gsl_matrix *jacobian) {
-  work *w = data;
+static rot_status call_jacobian(const double x[], double j[], void *ctx) {
+  work *w = ctx;
   const size_t n = w->record->n, m = w->columns;
   take(w, x);
-  if (linearise(w) != ROT_OK) return GSL_EFAILED;
-  if (rot_whiten(w->noise, n, w->record->t, m, w->j, NULL) != ROT_OK) return GSL_EFAILED;
-  for (size_t i = 0; i < n; i++)
-    memcpy(jacobian->data + i * jacobian->tda, w->j + i * m, m * sizeof(double));
-  return GSL_SUCCESS;
+  rot_status status = linearise(w);
+  if (status == ROT_OK) status = rot_whiten(w->noise, n, w->record->t, m, w->j, NULL);
+  if (status == ROT_OK) memcpy(j, w->j, n * m * sizeof *j);
+  return status;
 }
 
 /* ---- the fit -------------------------------------------------------------------------------- */
-
-enum { MAX_STEPS = 60 };
-
-/* step dx => |J dx|; its square is the predicted decrease of the sum of squares */
-static double step_size(const gsl_matrix *jacobian, const gsl_vector *dx) {
-  double sum = 0.0;
-  for (size_t i = 0; i < jacobian->size1; i++) {
-    double change = 0.0;
-    for (size_t j = 0; j < jacobian->size2; j++) {
-      change += gsl_matrix_get(jacobian, i, j) * gsl_vector_get(dx, j);
-    }
-    sum += change * change;
-  }
-  return sqrt(sum);
-}
-
-static double size_of(const gsl_vector *x) {
-  double sum = 0.0;
-  for (size_t i = 0; i < x->size; i++) sum += gsl_vector_get(x, i) * gsl_vector_get(x, i);
-  return sqrt(sum);
-}
 
 /* => smallest s.d. of the residuals that the rounding of the data allows */
 static double rounding_of(const rot_coast_record *record) {
@@ -185,184 +155,37 @@ static double rounding_of(const rot_coast_record *record) {
   return 4.0 * DBL_EPSILON * largest;
 }
 
-/* J => covariance and its factor, condition number of J with columns of length 1; from its R factor
- */
-static rot_status invert(const gsl_matrix *jacobian, double sigma, const work *w,
-                         rot_coast_fit *fit) {
-  const size_t n = jacobian->size1, m = jacobian->size2;
-  double r[ALL][ALL] = {{0}}, inverse[ALL][ALL] = {{0}}, length[ALL];
-  double *q = malloc(n * m * sizeof *q);
-  if (!q) return ROT_ENOMEM;
-  for (size_t j = 0; j < m; j++) {
-    double sum = 0.0;
-    for (size_t i = 0; i < n; i++) sum += pow(gsl_matrix_get(jacobian, i, j), 2);
-    length[j] = sum > 0.0 ? sqrt(sum) : 1.0;
-    for (size_t i = 0; i < n; i++) q[j * n + i] = gsl_matrix_get(jacobian, i, j) / length[j];
-  }
-  /* Modified Gram-Schmidt, each column twice: R is as accurate as with reflections. */
-  for (size_t j = 0; j < m; j++) {
-    for (int round = 0; round < 2; round++) {
-      for (size_t k = 0; k < j; k++) {
-        double dot = 0.0;
-        for (size_t i = 0; i < n; i++) dot += q[k * n + i] * q[j * n + i];
-        for (size_t i = 0; i < n; i++) q[j * n + i] -= dot * q[k * n + i];
-        r[k][j] += dot;
-      }
-    }
-    double sum = 0.0;
-    for (size_t i = 0; i < n; i++) sum += q[j * n + i] * q[j * n + i];
-    r[j][j] = sqrt(sum);
-    for (size_t i = 0; i < n && sum > 0.0; i++) q[j * n + i] /= r[j][j];
-  }
-  free(q);
-  /* Frobenius norms of R and of its inverse: an upper bound within a factor m. */
-  double norm = 0.0, inverse_norm = 0.0;
-  for (size_t j = 0; j < m; j++) {
-    for (size_t i = j + 1; i-- > 0;) {
-      double sum = i == j ? 1.0 : 0.0;
-      for (size_t k = i + 1; k <= j; k++) sum -= r[i][k] * inverse[k][j];
-      inverse[i][j] = sum / r[i][i];
-      norm += r[i][j] * r[i][j];
-      inverse_norm += inverse[i][j] * inverse[i][j];
-    }
-  }
-  fit->condition = sqrt(norm * inverse_norm);
+static void put_result(const work *w, const double x[], const rot_squares *found,
+                       const double covariance[], const double factor[], rot_coast_fit *fit) {
+  const size_t m = w->columns;
   memset(fit->covariance, 0, sizeof fit->covariance);
   memset(fit->factor, 0, sizeof fit->factor);
   for (size_t i = 0; i < m; i++) {
-    for (size_t j = i; j < m; j++) {
-      fit->factor[w->column[i]][j] = sigma * inverse[i][j] / length[i];
-    }
-    for (size_t j = 0; j <= i; j++) {
-      const double *a = fit->factor[w->column[i]], *b = fit->factor[w->column[j]];
-      double sum = 0.0;
-      for (size_t k = i; k < m; k++) sum += a[k] * b[k];
-      fit->covariance[w->column[i]][w->column[j]] = sum;
-      fit->covariance[w->column[j]][w->column[i]] = sum;
+    fit->p[w->column[i]] = x[i];
+    for (size_t j = 0; j < m; j++) {
+      fit->covariance[w->column[i]][w->column[j]] = covariance[i * m + j];
+      fit->factor[w->column[i]][j] = factor[i * m + j];
     }
   }
-  return ROT_OK;
+  fit->squares = found->squares;
+  fit->sigma = found->sigma;
+  fit->condition = found->condition;
 }
 
-/* => size of the full Gauss-Newton step in the residuals: the norm of their projection on the span
- * of the Jacobian's columns */
-static rot_status promised(const gsl_matrix *jacobian, const gsl_vector *residual, double *size) {
-  const size_t n = jacobian->size1, m = jacobian->size2;
-  double *q = malloc(n * m * sizeof *q), sum = 0.0;
-  if (!q) return ROT_ENOMEM;
-  for (size_t j = 0; j < m; j++) {
-    double *column = q + j * n, length = 0.0, along = 0.0;
-    for (size_t i = 0; i < n; i++) {
-      column[i] = gsl_matrix_get(jacobian, i, j);
-      length += column[i] * column[i];
-    }
-    const double before = sqrt(length);
-    for (size_t k = 0; k < 2 * j; k++) { /* twice: the columns are nearly dependent */
-      const double *other = q + (k % j) * n;
-      double dot = 0.0;
-      for (size_t i = 0; i < n; i++) dot += other[i] * column[i];
-      for (size_t i = 0; i < n; i++) column[i] -= dot * other[i];
-    }
-    length = 0.0;
-    for (size_t i = 0; i < n; i++) length += column[i] * column[i];
-    length = sqrt(length);
-    const double scale = length > 1e-12 * before ? 1.0 / length : 0.0;
-    for (size_t i = 0; i < n; i++) {
-      column[i] *= scale;
-      along += column[i] * gsl_vector_get(residual, i);
-    }
-    sum += along * along;
-  }
-  free(q);
-  *size = sqrt(sum);
-  return ROT_OK;
-}
-
-/* Iterates until a step is below 1e-4 standard errors, and the full step below one. */
-static rot_status iterate(gsl_multifit_nlinear_workspace *g, const work *w, double rounding,
-                          const rot_hooks *hooks, rot_coast_fit *fit) {
-  const size_t n = w->record->n, m = w->columns;
-  for (int step = 0; step < MAX_STEPS; step++) {
-    const rot_status status = rot_poll(hooks, 0.5);
-    if (status != ROT_OK) return status;
-    const int code = gsl_multifit_nlinear_iterate(g);
-    if (code != GSL_SUCCESS && code != GSL_ENOPROG) return ROT_ERANGE;
-    if (code == GSL_SUCCESS) fit->iterations++;
-    const gsl_matrix *jacobian = gsl_multifit_nlinear_jac(g);
-    const gsl_vector *residual = gsl_multifit_nlinear_residual(g);
-    const double sigma = size_of(residual) / sqrt((double)(n - m));
-    /* 1e-4 standard errors, or rounding. */
-    if (code == GSL_SUCCESS && step_size(jacobian, g->dx) > fmax(1e-4 * sigma, 0.1 * rounding))
-      continue;
-    /* A step is short at the minimum or in a small trust region; in the latter case the full step
-     * is long. For nearly dependent columns it remains a fraction of a standard error. */
-    double size;
-    const rot_status found = promised(jacobian, residual, &size);
-    if (found != ROT_OK) return found;
-    if (size <= fmax(sigma, rounding * sqrt((double)n))) return ROT_OK;
-    if (code == GSL_ENOPROG) return ROT_EBUDGET;
-  }
-  return ROT_EBUDGET;
-}
-
-/* fit->p => fit, by one trust-region method of GSL */
-static rot_status solve_by(const gsl_multifit_nlinear_trs *trs, double shrink, work *w,
-                           const rot_hooks *hooks, rot_coast_fit *fit) {
-  const size_t n = w->record->n;
-  const double rounding = rounding_of(w->record);
-  gsl_multifit_nlinear_parameters how = gsl_multifit_nlinear_default_parameters();
-  how.trs = trs;
-  how.scale = gsl_multifit_nlinear_scale_more;
-  how.solver = gsl_multifit_nlinear_solver_qr;
-  how.factor_down = shrink;
-  gsl_multifit_nlinear_fdf fdf;
-  memset(&fdf, 0, sizeof fdf);
-  fdf.f = call_f;
-  fdf.df = call_df;
-  fdf.n = n;
-  fdf.p = w->columns;
-  fdf.params = w;
-  gsl_multifit_nlinear_workspace *g =
-      gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &how, n, w->columns);
-  gsl_vector *start = gsl_vector_alloc(w->columns);
-  rot_status status = g && start ? ROT_OK : ROT_ENOMEM;
-  if (status == ROT_OK) {
-    for (size_t j = 0; j < w->columns; j++) gsl_vector_set(start, j, fit->p[w->column[j]]);
-    if (gsl_multifit_nlinear_init(start, &fdf, g) != GSL_SUCCESS) status = ROT_ERANGE;
-  }
-  if (status == ROT_OK) status = iterate(g, w, rounding, hooks, fit);
-  if (status == ROT_OK) {
-    const double size = size_of(gsl_multifit_nlinear_residual(g));
-    take(w, gsl_multifit_nlinear_position(g));
-    memcpy(fit->p, w->p, sizeof fit->p);
-    fit->squares = size * size;
-    fit->sigma = fmax(size / sqrt((double)(n - w->columns)), rounding);
-    /* Rounding errors are equal for all samples: they do not average out. */
-    status =
-        invert(gsl_multifit_nlinear_jac(g), fmax(fit->sigma, rounding * sqrt((double)n)), w, fit);
-  }
-  if (g) gsl_multifit_nlinear_free(g);
-  if (start) gsl_vector_free(start);
-  return status;
-}
-
-/* The dogleg method needs half the steps of Levenberg and Marquardt's from a start near the
- * solution. With nearly dependent columns it may fail where the latter converges. */
 rot_status rot_coast_solve(const rot_coast_record *record, const int fitted[ROT_COAST_ALL],
                            const rot_hooks *hooks, rot_coast_fit *fit) {
   work w;
   rot_status status = work_begin(&w, record, fitted, fit->p, &fit->reml.noise);
   if (status != ROT_OK) return status;
+  double x[ALL], covariance[ALL * ALL], factor[ALL * ALL];
+  rot_squares found = {.iterations = fit->iterations};
+  const rot_squares_problem problem = {record->n,     w.columns, call_residual,
+                                       call_jacobian, &w,        rounding_of(record)};
   fit->free = w.columns;
-  if (record->n <= w.columns || w.columns == 0) {
-    status = ROT_EVALUE;
-  } else {
-    status = solve_by(gsl_multifit_nlinear_trs_dogleg, 2.0, &w, hooks, fit);
-    if (status == ROT_EBUDGET || status == ROT_ERANGE) {
-      memcpy(w.p, fit->p, sizeof w.p);
-      status = solve_by(gsl_multifit_nlinear_trs_lm, 8.0, &w, hooks, fit);
-    }
-  }
+  for (size_t j = 0; j < w.columns; j++) x[j] = fit->p[w.column[j]];
+  status = rot_squares_solve(&problem, hooks, x, &found, covariance, factor);
+  fit->iterations = found.iterations;
+  if (status == ROT_OK) put_result(&w, x, &found, covariance, factor, fit);
   free(w.memory);
   return status;
 }

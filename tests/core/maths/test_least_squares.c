@@ -1,0 +1,117 @@
+/* Least squares against certified values of NIST's Statistical Reference Datasets (Misra1a, from
+ * both of their starts), a linear problem, nearly dependent columns, points without residuals. */
+#include "maths/least_squares.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "rot_test.h"
+
+enum { MISRA = 14 };
+static const double misra_x[MISRA] = {77.6,  114.9, 141.1, 190.8, 239.9, 289.0, 332.8,
+                                      378.4, 434.8, 477.3, 536.8, 593.1, 689.1, 760.0};
+static const double misra_y[MISRA] = {10.07, 14.73, 17.94, 23.93, 29.61, 35.18, 40.02,
+                                      44.82, 50.76, 55.05, 61.01, 66.40, 75.47, 81.78};
+
+static rot_status misra_residual(const double b[], double r[], void *ctx) {
+  int *calls = ctx;
+  ++*calls;
+  if (b[1] > 1.0) return ROT_ERANGE; /* refused far away */
+  for (size_t i = 0; i < MISRA; i++) r[i] = -b[0] * expm1(-b[1] * misra_x[i]) - misra_y[i];
+  return ROT_OK;
+}
+
+static rot_status misra_jacobian(const double b[], double j[], void *ctx) {
+  (void)ctx;
+  for (size_t i = 0; i < MISRA; i++) {
+    j[2 * i] = -expm1(-b[1] * misra_x[i]);
+    j[2 * i + 1] = b[0] * misra_x[i] * exp(-b[1] * misra_x[i]);
+  }
+  return ROT_OK;
+}
+
+static void certified(void) {
+  static const double starts[][2] = {{500.0, 1e-4}, {250.0, 5e-4}};
+  int calls = 0;
+  const rot_squares_problem problem = {MISRA, 2, misra_residual, misra_jacobian, &calls, 1e-14};
+  for (int k = 0; k < 2; k++) {
+    double x[2] = {starts[k][0], starts[k][1]}, covariance[4], factor[4];
+    rot_squares found = {0};
+    ROT_CHECK(rot_squares_solve(&problem, NULL, x, &found, covariance, factor) == ROT_OK);
+    ROT_CHECK_REL(x[0], 2.3894212918e+02, 1e-8);
+    ROT_CHECK_REL(x[1], 5.5015643181e-04, 1e-8);
+    ROT_CHECK_REL(found.squares, 1.2455138894e-01, 1e-9);
+    ROT_CHECK_REL(found.sigma, 1.0187876330e-01, 1e-9);
+    ROT_CHECK_REL(sqrt(covariance[0]), 2.7070075241e+00, 1e-7);
+    ROT_CHECK_REL(sqrt(covariance[3]), 7.2668688436e-06, 1e-7);
+    ROT_CHECK(covariance[1] == covariance[2] && found.iterations > 0);
+    /* covariance = factor factor' */
+    ROT_CHECK_REL(factor[0] * factor[0] + factor[1] * factor[1], covariance[0], 1e-14);
+    ROT_CHECK_REL(factor[1] * factor[3], covariance[1], 1e-14);
+    ROT_CHECK(factor[2] == 0.0);
+  }
+}
+
+/* Columns 1 and t + 1e-6 t^2 ..., nearly the same: the sum is known well, the parts are not. */
+enum { LINE = 50 };
+
+static double column_of(size_t i, size_t k) {
+  const double t = (double)i / LINE;
+  return k == 0 ? 1.0 + t : 1.0 + t + 1e-6 * t * t;
+}
+
+static rot_status line_residual(const double b[], double r[], void *ctx) {
+  (void)ctx;
+  for (size_t i = 0; i < LINE; i++) {
+    r[i] = (b[0] - 3.0) * column_of(i, 0) + (b[1] + 1.0) * column_of(i, 1) + (i % 2 ? 0.1 : -0.1);
+  }
+  return ROT_OK;
+}
+
+static rot_status line_jacobian(const double b[], double j[], void *ctx) {
+  (void)b, (void)ctx;
+  for (size_t i = 0; i < LINE; i++) {
+    for (size_t k = 0; k < 2; k++) j[2 * i + k] = column_of(i, k);
+  }
+  return ROT_OK;
+}
+
+static void dependent(void) {
+  const rot_squares_problem problem = {LINE, 2, line_residual, line_jacobian, NULL, 1e-16};
+  double x[2] = {0.0, 0.0}, covariance[4], factor[4];
+  rot_squares found = {0};
+  ROT_CHECK(rot_squares_solve(&problem, NULL, x, &found, covariance, factor) == ROT_OK);
+  ROT_CHECK_REL(x[0] + x[1], 2.0, 0.02);
+  ROT_CHECK(found.condition > 1e6 && sqrt(covariance[0]) > 1e3);
+  /* The variance of the sum, by the factor; by the covariance it has no digit. */
+  const double a = factor[0] + factor[2], b = factor[1] + factor[3];
+  ROT_CHECK(sqrt(a * a + b * b) < 0.1 && sqrt(a * a + b * b) > 1e-3);
+}
+
+static rot_status refuse(const double b[], double r[], void *ctx) {
+  (void)b, (void)r, (void)ctx;
+  return ROT_EVALUE;
+}
+
+static void faults(void) {
+  int calls = 0;
+  rot_squares_problem problem = {MISRA, 2, misra_residual, misra_jacobian, &calls, 0.0};
+  double x[2] = {250.0, 5e-4};
+  rot_squares found = {0};
+  problem.n = 2;
+  ROT_CHECK(rot_squares_solve(&problem, NULL, x, &found, NULL, NULL) == ROT_EVALUE);
+  problem.n = MISRA;
+  problem.p = 0;
+  ROT_CHECK(rot_squares_solve(&problem, NULL, x, &found, NULL, NULL) == ROT_EVALUE);
+  problem.p = 2;
+  problem.jacobian = refuse;
+  ROT_CHECK(rot_squares_solve(&problem, NULL, x, &found, NULL, NULL) == ROT_ERANGE);
+  ROT_CHECK(x[0] == 250.0 && x[1] == 5e-4);
+}
+
+int main(void) {
+  certified();
+  dependent();
+  faults();
+  return rot_test_report("least_squares");
+}
