@@ -150,3 +150,28 @@ test_that("the parts are Parquet files that other readers take", {
   about <- nanoparquet::read_parquet_metadata(file.path(folder, "rows", part_name(2)))
   expect_true("rotdyn_run" %in% about$file_meta_data$key_value_metadata[[1]]$key)
 })
+
+test_that("parts have the doubles of memory to the last bit, also -0, NaN, Inf and denormals", {
+  bits <- function(x) writeBin(x, raw(), endian = "little")
+  edges <- c(20, 0, -0, 5e-324, -5e-324, 2.2e-308, -1e-310, 1e308, -20)
+  n <- 2^16 + 77
+  edge_plan <- sweep_plan(
+    scene_axle(0.0625, resistance = resistance(0.1)), 1,
+    design_list(data.frame(
+      omega0_rad_per_s = rep_len(edges, n), theta0_rad = rep_len(c(0, -0, 1e-320, -1), n)
+    )),
+    outputs = c("final_theta_rad", "final_omega_rad_per_s", "stop_time_s"), chunk_rows = 2^16
+  )
+  memory <- sweep_run(edge_plan)
+  outputs <- unlist(memory[edge_plan$outputs])
+  expect_true(all(c(
+    any(is.nan(outputs)), any(is.infinite(outputs)), any(1 / outputs == -Inf, na.rm = TRUE),
+    any(outputs != 0 & abs(outputs) < 2^-1022, na.rm = TRUE)
+  )))
+  folder <- folder_of()
+  kept <- sweep_run(edge_plan, folder)
+  for (column in names(memory)[vapply(memory, is.double, NA)]) {
+    expect_true(identical(bits(kept[[column]]), bits(memory[[column]])), label = column)
+  }
+  expect_identical(nrow(sweep_check(folder)), 0L)
+})
