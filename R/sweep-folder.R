@@ -239,7 +239,7 @@ chunk_range <- function(plan, chunk) {
 # left of what fails.
 write_part <- function(x, folder, kind, chunk, metadata, call) {
   work <- file.path(folder, "work", paste0(
-    kind, "-", part_name(chunk), "-", Sys.info()[["nodename"]], "-", Sys.getpid(), "-",
+    kind, "-", part_name(chunk), "-", Sys.info()[["nodename"]], "-", process_tag(), "-",
     basename(tempfile(""))
   ))
   on.exit(unlink(work))

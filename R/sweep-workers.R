@@ -56,7 +56,7 @@ new_coordination <- function(plan, folder, todo, threads, compute, call) {
   run$able <- FALSE
   run$unable <- character()
   nonce <- paste0(
-    "nonce-", Sys.info()[["nodename"]], "-", Sys.getpid(), "-", basename(tempfile(""))
+    "nonce-", Sys.info()[["nodename"]], "-", process_tag(), "-", basename(tempfile(""))
   )
   run$job <- list(
     folder = normalizePath(folder, mustWork = TRUE), threads = threads, nonce = nonce,

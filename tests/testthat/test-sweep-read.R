@@ -96,6 +96,31 @@ test_that("jobs of an array do all chunks, in any order", {
   expect_identical(sweep_digest(folder), sweep_digest(sweep_run(plan)))
 })
 
+test_that("a process number that was given again is no writer, and no owner", {
+  skip_if(!dir.exists("/proc/self"))
+  folder <- folder_of()
+  make_sweep_folder(plan, folder, environment())
+  host <- Sys.info()[["nodename"]]
+  lives <- paste0("1.", birth_of_process(1))
+  skip_if(lives == "1.", "process 1 is not seen")
+  own_folder(folder, environment())
+  tags <- c(lives, "1.999999999999", "1", process_tag())
+  names <- paste0("rows-part-00000001.parquet-", host, "-", tags, "-x")
+  file.create(file.path(folder, "work", names))
+  clear_work(folder)
+  expect_identical(sort(dir(file.path(folder, "work"))), sort(names[c(1, 3)]))
+  unlink(file.path(folder, "work", names))
+  owner <- function(process) {
+    text <- json_text(c(list(who = paste(host, "process 1")), process))
+    writeLines(text, file.path(folder, "owner.json"))
+    own_folder(folder, environment())
+  }
+  expect_no_warning(owner(list(process = tags[2])))
+  expect_warning(owner(list(process = lives)), "at work", class = "rotdyn_warning_folder")
+  expect_warning(owner(NULL), "at work", class = "rotdyn_warning_folder")
+  expect_no_warning(owner(list(process = tags[2])))
+})
+
 test_that("some rows, or none, are kept; the sums are of all", {
   outputs <- c("final_theta_rad", "stop_time_s")
   all <- sweep_run(plan)
