@@ -55,7 +55,7 @@ birth <- function(pid) {
   strsplit(sub("^.*[)] ", "", stat), " ", fixed = TRUE)[[1]][20]
 }
 born <- character()
-lives <- function(pid) identical(birth(pid), born[[as.character(pid)]])
+lives <- function(pid) isTRUE(birth(pid) == born[as.character(pid)])
 
 # Waits for what comes surely; the limit is there so that a fault ends the check.
 wait_for <- function(what, condition, pause = 0.01, limit_s = 300) {
@@ -128,10 +128,12 @@ process_of <- function(names) as.integer(sub("^.*-([0-9]+)[.0-9]*-[^-]*$", "\\1"
 moments <- function(kills, coordinators) {
   spread <- 0.85 * chunks / kills
   who <- sample(rep(c("coordinator", "worker"), c(coordinators, kills - coordinators)))
+  writing <- rep(FALSE, kills)
+  writing[who == "worker"] <- rep_len(c(TRUE, FALSE), sum(who == "worker"))
   data.frame(
     at = floor((seq_len(kills) - 1) * spread + stats::runif(kills, 0, 0.3 * spread)), who = who,
-    writing = who == "worker" & stats::runif(kills) < 0.5, delay = stats::runif(kills, 0, 2),
-    wait = stats::runif(kills) < 0.6, pick = stats::runif(kills)
+    writing = writing, delay = stats::runif(kills, 0, 2), wait = stats::runif(kills) < 0.6,
+    pick = stats::runif(kills)
   )
 }
 
@@ -186,7 +188,7 @@ one_round <- function(number, by, keep, kills, reference) {
   chunk_s <- reference$chunk_s
   for (i in seq_len(kills)) {
     one <- todo[i, ]
-    victim <- NULL
+    victim <- NA
     wait_for("chunk", function() {
       if (is_over()) return(TRUE)
       done <- length(dir(file.path(folder, "sums")))
@@ -194,25 +196,24 @@ one_round <- function(number, by, keep, kills, reference) {
       done >= one$at && is_ready() && length(workers()) > 0L
     })
     if (is_over()) break
+    alive <- workers()
     if (one$writing) {
       wait_for("file in work/", function() {
-        found <- intersect(process_of(files_in_work(folder)), workers())
-        victim <<- found[1]
-        length(found) > 0L || is_over()
-      }, 0.001)
+        victim <<- intersect(process_of(files_in_work(folder)), alive)[1]
+        # At once: a file is there for some milliseconds.
+        if (!lives(victim)) victim <<- NA
+        if (is.na(victim)) return(is_over())
+        tools::pskill(victim, tools::SIGKILL)
+      }, 0.0005)
+      if (is.na(victim)) break
     } else {
       Sys.sleep(one$delay * chunk_s)
+      victim <- if (one$who == "coordinator") coordinator else {
+        alive[1 + floor(one$pick * length(alive))]
+      }
+      if (!lives(victim)) next
+      tools::pskill(victim, tools::SIGKILL)
     }
-    if (is_over()) break
-    alive <- workers()
-    if (one$who == "coordinator") {
-      victim <- coordinator
-    } else if (is.null(victim) || is.na(victim)) {
-      if (!length(alive)) break
-      victim <- alive[1 + floor(one$pick * length(alive))]
-    }
-    if (!lives(victim)) next
-    tools::pskill(victim, tools::SIGKILL)
     made[one$who] <- made[one$who] + 1
     wait_for("end of what was killed", function() !lives(victim), 0.001)
     mine <- process_of(files_in_work(folder)) == victim
