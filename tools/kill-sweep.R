@@ -161,7 +161,8 @@ one_round <- function(number, by, keep, kills, reference) {
     now <- committed(folder)
     other <- setdiff(names(seen), names(now)[now == seen[names(now)]])
     if (length(other)) {
-      cat(paste0("  ", other, ": ", seen[other], ", then ", now[other], "\n"), sep = "")
+      shown <- utils::head(other, 5)
+      cat(paste0("  ", shown, ": ", seen[shown], ", then ", now[shown], "\n"), sep = "")
     }
     changed <<- changed + length(other)
     seen <<- now
