@@ -3,6 +3,7 @@
 .DEFAULT_GOAL := help
 .PHONY: help demo gallery test core snapshots bench document format objects
 .PHONY: check-valgrind check-databases check-nosuggests check-manual check-coverage check-fuzz check-fuzz-sanitized
+.PHONY: check-kill-sweep check-remote
 .PHONY: map check-animations check-damage check-interrupt check-lessons check-long check-measurement check-mutants check-scenes library examples
 
 help: ## this list
@@ -58,8 +59,14 @@ format: ## lay out the C sources by .clang-format
 check-valgrind: ## C core and C boundary under valgrind
 	@sh tools/check-valgrind.sh
 
-check-databases: ## tables, rows and wrong rows in SQLite, PostgreSQL and DuckDB
+check-databases: ## tables, rows and wrong rows in SQLite, PostgreSQL and DuckDB; files of sweeps
 	@sh tools/check-databases.sh
+
+check-kill-sweep: ## kill daemons, coordinators and jobs of sweeps at random moments: KILLS=30 SEED=
+	@sh tools/kill-sweep.sh $(or $(KILLS),30) $(SEED)
+
+check-remote: ## sweeps by daemons through an sshd of its own and TLS
+	@sh tools/check-remote.sh
 
 check-damage: ## random and damaged calls of the C interface under sanitizers: CALLS=1000000 SEED=
 	@sh tools/check-damage.sh

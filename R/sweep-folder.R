@@ -239,14 +239,17 @@ chunk_range <- function(plan, chunk) {
 # left of what fails.
 write_part <- function(x, folder, kind, chunk, metadata, call) {
   work <- file.path(folder, "work", paste0(
-    kind, "-", part_name(chunk), "-", Sys.info()[["nodename"]], "-", Sys.getpid(), "-",
+    kind, "-", part_name(chunk), "-", Sys.info()[["nodename"]], "-", process_tag(), "-",
     basename(tempfile(""))
   ))
   on.exit(unlink(work))
+  # A dictionary has one zero for 0 and -0.
+  encoding <- rep("PLAIN", sum(vapply(x, is.double, NA)))
+  names(encoding) <- names(x)[vapply(x, is.double, NA)]
   fault <- tryCatch(
     {
       nanoparquet::write_parquet(
-        x, work, compression = "uncompressed", metadata = metadata,
+        x, work, compression = "uncompressed", metadata = metadata, encoding = encoding,
         options = nanoparquet::parquet_options(
           num_rows_per_row_group = 2^17, write_arrow_metadata = FALSE
         )

@@ -309,51 +309,74 @@ abort_failed_chunks <- function(failed, call) {
 own_folder <- function(folder, call) {
   owner <- read_owner(folder)
   me <- paste0(Sys.info()[["nodename"]], " process ", Sys.getpid())
-  if (!is.null(owner) && !identical(owner$who, me) && !has_ended(owner$who)) {
+  if (!is.null(owner) && !identical(owner$who, me) && !has_ended(owner)) {
     warn_rotdyn(c(
       "Another process may be at work on {.file {folder}}: {owner$who}.",
       i = "Both may go on: the rows are the same, some are computed twice."
     ), "folder", call)
   }
-  write_file(json_text(list(who = me)), file.path(folder, "owner.json"), call)
+  owner <- list(who = me, process = process_tag())
+  write_file(json_text(owner), file.path(folder, "owner.json"), call)
 }
 
 read_owner <- function(folder) {
   path <- file.path(folder, "owner.json")
   if (!file.exists(path)) return(NULL)
   text <- tryCatch(file_text(path), error = function(e) NA)
-  who <- if (is.na(text)) "" else sub("^.*\"who\": *\"([^\"]*)\".*$", "\\1", text)
-  list(who = who)
+  field <- function(name) {
+    pattern <- paste0("^.*\"", name, "\": *\"([^\"]*)\".*$")
+    if (is.na(text) || !grepl(pattern, text)) "" else sub(pattern, "\\1", text)
+  }
+  list(who = field("who"), process = field("process"))
 }
 
 # Is it a process of this host that is no more?
-has_ended <- function(who) {
+has_ended <- function(owner) {
   pattern <- "^(.*) process ([0-9]+)$"
-  grepl(pattern, who) && sub(pattern, "\\1", who) == Sys.info()[["nodename"]] &&
-    !process_lives(sub(pattern, "\\2", who))
+  if (!grepl(pattern, owner$who)) return(FALSE)
+  process <- if (nzchar(owner$process)) owner$process else sub(pattern, "\\2", owner$who)
+  sub(pattern, "\\1", owner$who) == Sys.info()[["nodename"]] && !process_lives(process)
 }
 
 # Removes what no process is writing any more: files of this host whose process has ended, and files
 # of others an hour older, by the clock of their file system, than the file of the owner.
 clear_work <- function(folder) {
   files <- dir(file.path(folder, "work"), full.names = TRUE)
-  pattern <- "^.*-part-[0-9]+[.]parquet-(.*)-([0-9]+)-[^-]*$|^nonce-(.*)-([0-9]+)-[^-]*$"
+  pattern <- "^.*-part-[0-9]+[.]parquet-(.*)-([0-9.]+)-[^-]*$|^nonce-(.*)-([0-9.]+)-[^-]*$"
   files <- files[grepl(pattern, basename(files))]
   if (!length(files)) return(invisible())
   here <- sub(pattern, "\\1\\3", basename(files)) == Sys.info()[["nodename"]]
   process <- sub(pattern, "\\2\\4", basename(files))
   age <- as.double(file.mtime(file.path(folder, "owner.json"))) - as.double(file.mtime(files))
   gone <- ifelse(
-    here, process == Sys.getpid() | !process_lives(process), !is.na(age) & age > 3600
+    here, process == process_tag() | !process_lives(process), !is.na(age) & age > 3600
   )
   unlink(files[gone])
 }
 
-# A process that has ended and whose parent has not noticed (Z) writes no more.
-process_lives <- function(pid) {
-  if (!dir.exists("/proc/self")) return(rep(TRUE, length(pid)))
-  vapply(file.path("/proc", pid, "stat"), function(path) {
-    stat <- tryCatch(suppressWarnings(readLines(path, 1L)), error = function(e) "")
-    length(stat) == 1L && nzchar(stat) && !grepl("^.*[)] [ZX] ", stat)
+# The number of this process and, where the system says it, when it began: after a restart, or a
+# while, its number is that of another one.
+process_tag <- function() {
+  began <- birth_of_process("self")
+  paste(c(Sys.getpid(), if (nzchar(began)) began), collapse = ".")
+}
+
+# By tags of processes of this host, or their numbers alone.
+process_lives <- function(tag) {
+  if (!dir.exists("/proc/self")) return(rep(TRUE, length(tag)))
+  vapply(strsplit(tag, ".", fixed = TRUE), function(part) {
+    began <- birth_of_process(part[1])
+    nzchar(began) && (length(part) < 2L || part[2] == began)
   }, NA, USE.NAMES = FALSE)
+}
+
+# When a process began, in ticks of the system; "": it has ended. One whose parent has not noticed
+# that (Z) writes no more.
+birth_of_process <- function(pid) {
+  stat <- tryCatch(
+    suppressWarnings(readLines(file.path("/proc", pid, "stat"), 1L)), error = function(e) ""
+  )
+  # Behind the name, which may have any characters.
+  fields <- strsplit(sub("^.*[)] ", "", c(stat, "")[1]), " ", fixed = TRUE)[[1]]
+  if (length(fields) < 20L || fields[1] %in% c("Z", "X")) "" else fields[20]
 }

@@ -56,7 +56,7 @@ new_coordination <- function(plan, folder, todo, threads, compute, call) {
   run$able <- FALSE
   run$unable <- character()
   nonce <- paste0(
-    "nonce-", Sys.info()[["nodename"]], "-", Sys.getpid(), "-", basename(tempfile(""))
+    "nonce-", Sys.info()[["nodename"]], "-", process_tag(), "-", basename(tempfile(""))
   )
   run$job <- list(
     folder = normalizePath(folder, mustWork = TRUE), threads = threads, nonce = nonce,
@@ -88,7 +88,10 @@ look_at_daemons <- function(run, now = clock_s()) {
     run$nobody_said <- TRUE
     inform_quickly(c(
       paste("No daemon is connected since", seconds_words(run$times$nobody), "- the sweep waits."),
-      "mirai::launch_local() or mirai::launch_remote() starts some.", library_hints
+      # This session is busy until then.
+      paste0("To start some: interrupt, mirai::launch_local() or mirai::launch_remote(), ",
+             "sweep_resume(\"", run$job$folder, "\")."),
+      library_hints
     ), "sweep")
   }
 }

@@ -2,6 +2,7 @@
 # Tables, metadata, a run, and at least one wrong row for each constraint in SQLite (STRICT tables),
 # PostgreSQL (a server of its own, on a socket in a scratch folder) and DuckDB (its npm package),
 # and by the metadata check of R. 300 random scenes computed again, and 50 kills while recording.
+# The Parquet files of sweeps in nanoparquet and DuckDB, bit for bit.
 # What is not installed is named and skipped.
 . "${0%/*}/common.sh"
 
@@ -46,10 +47,24 @@ tally $? "R, SQLite${socket:+, PostgreSQL}"
 Rscript tools/records.R "$work"
 tally $? "300 scenes computed again from the database alone; 50 kills"
 
+parts=""
+if Rscript -e 'for (name in c("nanoparquet", "yyjsonr")) loadNamespace(name)' > /dev/null 2>&1; then
+  mkdir "$work/parts"
+  Rscript tools/sweep-parts.R "$work/parts"
+  tally $? "parts of sweeps by nanoparquet"
+  test -f "$work/parts/sweep-parts.json" && parts=yes
+else
+  skip "parts of sweeps (the packages nanoparquet and yyjsonr are needed)"
+fi
+
 if command -v node > /dev/null && command -v npm > /dev/null &&
   (cd "$work" && npm install --no-audit --no-fund @duckdb/node-api > npm.log 2>&1); then
   node tools/databases.js "$work"
   tally $? "DuckDB"
+  if test -n "$parts"; then
+    node tools/sweep-parts.js "$work/parts" "$work"
+    tally $? "parts of sweeps by DuckDB"
+  fi
 else
   skip "DuckDB (node, npm and its package @duckdb/node-api are needed)"
 fi

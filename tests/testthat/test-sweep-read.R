@@ -91,6 +91,31 @@ test_that("jobs of an array do all chunks, in any order", {
   expect_identical(sweep_digest(folder), sweep_digest(sweep_run(plan)))
 })
 
+test_that("a process number that was given again is no writer, and no owner", {
+  skip_if(!dir.exists("/proc/self"))
+  folder <- folder_of()
+  make_sweep_folder(plan, folder, environment())
+  host <- Sys.info()[["nodename"]]
+  lives <- paste0("1.", birth_of_process(1))
+  skip_if(lives == "1.", "process 1 is not seen")
+  own_folder(folder, environment())
+  tags <- c(lives, "1.999999999999", "1", process_tag())
+  names <- paste0("rows-part-00000001.parquet-", host, "-", tags, "-x")
+  file.create(file.path(folder, "work", names))
+  clear_work(folder)
+  expect_identical(sort(dir(file.path(folder, "work"))), sort(names[c(1, 3)]))
+  unlink(file.path(folder, "work", names))
+  owner <- function(process) {
+    text <- json_text(c(list(who = paste(host, "process 1")), process))
+    writeLines(text, file.path(folder, "owner.json"))
+    own_folder(folder, environment())
+  }
+  expect_no_warning(owner(list(process = tags[2])))
+  expect_warning(owner(list(process = lives)), "at work", class = "rotdyn_warning_folder")
+  expect_warning(owner(NULL), "at work", class = "rotdyn_warning_folder")
+  expect_no_warning(owner(list(process = tags[2])))
+})
+
 test_that("some rows, or none, are kept; the sums are of all", {
   outputs <- c("final_theta_rad", "stop_time_s")
   all <- sweep_run(plan)
@@ -144,4 +169,29 @@ test_that("the parts are Parquet files that other readers take", {
   expect_identical(part$row, sweep$row[at])
   about <- nanoparquet::read_parquet_metadata(file.path(folder, "rows", part_name(2)))
   expect_true("rotdyn_run" %in% about$file_meta_data$key_value_metadata[[1]]$key)
+})
+
+test_that("parts have the doubles of memory to the last bit, also -0, NaN, Inf and denormals", {
+  bits <- function(x) writeBin(x, raw(), endian = "little")
+  edges <- c(20, 0, -0, 5e-324, -5e-324, 2.2e-308, -1e-310, 1e308, -20)
+  n <- 2^16 + 77
+  edge_plan <- sweep_plan(
+    scene_axle(0.0625, resistance = resistance(0.1)), 1,
+    design_list(data.frame(
+      omega0_rad_per_s = rep_len(edges, n), theta0_rad = rep_len(c(0, -0, 1e-320, -1), n)
+    )),
+    outputs = c("final_theta_rad", "final_omega_rad_per_s", "stop_time_s"), chunk_rows = 2^16
+  )
+  memory <- sweep_run(edge_plan)
+  outputs <- unlist(memory[edge_plan$outputs])
+  expect_true(all(c(
+    any(is.nan(outputs)), any(is.infinite(outputs)), any(1 / outputs == -Inf, na.rm = TRUE),
+    any(outputs != 0 & abs(outputs) < 2^-1022, na.rm = TRUE)
+  )))
+  folder <- folder_of()
+  kept <- sweep_run(edge_plan, folder)
+  for (column in names(memory)[vapply(memory, is.double, NA)]) {
+    expect_true(identical(bits(kept[[column]]), bits(memory[[column]])), label = column)
+  }
+  expect_identical(nrow(sweep_check(folder)), 0L)
 })

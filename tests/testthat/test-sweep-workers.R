@@ -139,7 +139,10 @@ test_that("a run without a daemon says so once, after a minute, and waits", {
   run <- coordinator()
   expect_no_message(look_at_daemons(run, 0))
   expect_no_message(look_at_daemons(run, 59))
-  expect_message(look_at_daemons(run, 61), "launch_local", class = "rotdyn_message_sweep")
+  expect_message(
+    look_at_daemons(run, 61), "interrupt.*launch_local.*sweep_resume",
+    class = "rotdyn_message_sweep"
+  )
   expect_no_message(look_at_daemons(run, 200))
 })
 
