@@ -108,7 +108,9 @@ for (i in seq_len(scenes)) {
   }
   records_add(con, motion)
 }
-stopifnot(setequal(records_list(con)$constraint_kind, metadata()$constraints$constraint_kind))
+# Scenes of equations have an R function, which a database does not run.
+kinds <- setdiff(metadata()$constraints$constraint_kind, "equations")
+stopifnot(setequal(records_list(con)$constraint_kind, kinds))
 DBI::dbDisconnect(con)
 cat(scenes, "scenes recorded,", left_out, "without a motion left out\n")
 again <- file.path(folder, "again.R")
