@@ -262,17 +262,20 @@ check_domains <- function(plan, all, bound, call) {
   laws <- plan$design$inputs
   for (name in intersect(all[bound], names(laws))) {
     i <- match(name, plan$known$path)
-    if (is.na(i)) next
-    outside <- design_probability_outside(
-      laws[[name]], plan$known$low[i], plan$known$high[i]
-    )
+    # The last time, which is no number of the scene, is finite.
+    low <- if (is.na(i)) -.Machine$double.xmax else plan$known$low[i]
+    high <- if (is.na(i)) .Machine$double.xmax else plan$known$high[i]
+    outside <- design_probability_outside(laws[[name]], low, high)
     # A value or two in 1e12 rows get their status.
     if (!(outside > 1e-12)) next
-    domain <- domain_words(plan$known$low[i], plan$known$high[i], plan$known$above[i])
+    domain <- domain_words(low, high, !is.na(i) && plan$known$above[i])
+    if (domain == "any") domain <- "any finite number"
+    listed <- laws[[name]]$kind %in% c("values", "column", "fixed")
     abort_rotdyn(c(
       "The law of {.field {name}} leaves the domain of this input, {domain}.",
       x = "{format(100 * outside, digits = 2)} % of its rows are outside.",
-      i = "Cut it off: {.code vary_truncated(law, low, high)}."
+      i = if (listed) "Leave these values out." else
+        "Cut it off: {.code vary_truncated(law, low, high)}."
     ), "value", call)
   }
 }
@@ -361,6 +364,13 @@ plan_kept <- function(plan, keep, call) {
     plan$condition <- derived_input(keep, names, "keep", call)
     plan$keep <- "some"
   } else {
+    if (!is.character(keep)) {
+      abort_rotdyn(c(
+        "{.arg keep} must be \"rows\", \"summary\" or a formula.",
+        x = "It is {describe_value(keep)}.",
+        i = "For example {.code keep = ~ {plan$outputs[1]} > 0}."
+      ), "type", call)
+    }
     plan$keep <- check_string(keep, "keep", c("rows", "summary"), call)
   }
   plan
@@ -430,13 +440,25 @@ row_bytes <- function(plan) {
   8 * (length(names(plan$design$inputs)) + length(plan$derived) + length(plan$outputs) + 1) + 12
 }
 
+# Each is a file or two; all their names are listed at a time.
+max_chunks <- 2^20
+
 check_chunk_rows <- function(chunk_rows, plan, call) {
   if (is.null(chunk_rows)) {
     limit <- if (plan$keep == "rows") 2^22 else 2^26
     rows <- 2^round(log2(10 / plan$row_s))
     return(max(min(rows, limit), plan$block_rows, 2^ceiling(log2(plan$n / 65536))))
   }
-  chunk_rows <- check_number(chunk_rows, "chunk_rows", "1", call, plan$block_rows, 2^30)
+  least <- max(plan$block_rows, 2^ceiling(log2(plan$n / max_chunks)))
+  chunk_rows <- check_number(chunk_rows, "chunk_rows", "1", call, plan$block_rows, max(2^30, least))
+  if (chunk_rows < least) {
+    abort_rotdyn(c(
+      "A sweep has at most {max_chunks} chunks.",
+      x = "With {.code chunk_rows = {whole_words(chunk_rows)}} it has
+           {whole_words(ceiling(plan$n / chunk_rows))}.",
+      i = "At least {.code chunk_rows = {whole_words(least)}}; NULL: about ten seconds of work."
+    ), "value", call)
+  }
   if (chunk_rows != 2^round(log2(chunk_rows))) {
     abort_rotdyn(c(
       "{.arg chunk_rows} must be a power of two.", x = "It is {format(chunk_rows)}.",
