@@ -155,6 +155,7 @@ read_plan <- function(folder, call, trust = FALSE) {
   text <- tryCatch(file_text(path), error = function(e) NA, warning = function(w) NA)
   if (is.na(text)) damaged(": it has a zero byte, or cannot be read")
   x <- read_json(text, "sweep", "file", call)
+  if (!is.list(x) || is.null(names(x))) damaged("")
   if (!identical(x$sweep_format, sweep_format)) {
     abort_rotdyn(c(
       "The sweep has an unknown format.", x = "It is {describe_value(x$sweep_format)}."
@@ -295,9 +296,10 @@ chunk_range <- function(plan, chunk) {
   c(first, min(plan$chunk_rows, plan$n - first + 1))
 }
 
+# Plain: a dictionary takes 0 and -0 for one value.
 put_parquet <- function(x, path, metadata) {
   nanoparquet::write_parquet(
-    x, path, compression = "uncompressed", metadata = metadata,
+    x, path, compression = "uncompressed", encoding = "PLAIN", metadata = metadata,
     options = nanoparquet::parquet_options(
       num_rows_per_row_group = 2^17, write_arrow_metadata = FALSE
     )

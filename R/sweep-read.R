@@ -112,7 +112,7 @@ read_rows <- function(plan, folder, kept, about, rows, call) {
   bad <- wanted[vapply(read, is.null, NA)]
   if (length(bad)) {
     abort_rotdyn(c(
-      "The rows of chunk{?s} {some_names(whole_words(bad))} of {.file {folder}} are damaged.",
+      "{cli::qty(length(bad))}The rows of chunk{?s} {some_names(whole_words(bad))} are damaged.",
       i = "Computed again: {.code sweep_chunk(\"{folder}\", {whole_words(bad[1])})}."
     ), "file", call)
   }
