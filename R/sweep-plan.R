@@ -40,7 +40,8 @@
 #' @section Errors: `rotdyn_error_argument` for an input or output that the scene lacks, with the
 #'   nearest ones; `rotdyn_error_value` for a law with probability outside the domain of its input,
 #'   for a damaged formula and for a `build` with free variables; `rotdyn_error_model` where no
-#'   model takes the rows; `rotdyn_error_type`, `rotdyn_error_time`, `rotdyn_error_size`.
+#'   model takes the rows; `rotdyn_error_build` where `build` or an R function of the scene fails
+#'   in a row, with its number; `rotdyn_error_type`, `rotdyn_error_time`, `rotdyn_error_size`.
 #' @source The choice of a model: [choose_model()].
 #' @seealso [sweep_run()], [sweep_inputs()], [design_sobol()], [vary_normal()].
 #' @concept parameter study
@@ -287,7 +288,7 @@ plan_outputs <- function(plan, outputs, call) {
     known <- outputs_of_node(plan, call)
     scene_class <- NULL
   } else {
-    first <- scene_of_row(plan, 1, call)
+    first <- first_scene(plan, call)
     plan$constraint <- constraint_of(first)$id
     known <- outputs_of_rows(scene_node_with_functions(first, call), call)
   }
@@ -312,6 +313,17 @@ plan_outputs <- function(plan, outputs, call) {
   plan$outputs <- unique(outputs)
   plan$output_unit <- known$unit[match(plan$outputs, known$path)]
   plan
+}
+
+# Of a row that has one.
+first_scene <- function(plan, call) {
+  refused <- NULL
+  for (i in spread_rows(plan, 16)) {
+    scene <- tryCatch(scene_of_row(plan, i, call), rotdyn_error_value = identity)
+    if (!inherits(scene, "error")) return(scene)
+    refused <- refused %||% scene
+  }
+  abort_rotdyn("{.arg build} makes no scene of the rows looked at.", "value", call, parent = refused)
 }
 
 constraint_place <- function(id) match(id, vapply(all_constraints(), `[[`, "", "id"))

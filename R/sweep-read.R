@@ -19,11 +19,11 @@
 #'   design's and the derived inputs, the outputs, `error` and `status` (`"ok"`, or why the row has
 #'   no numbers). [summary()][summary.rot_sweep] and `autoplot()` are of all rows.
 #'   `sweep_scene()`: a scene. `sweep_check()`: a tibble with a row for each chunk that is not as it
-#'   was written, and the columns
+#'   was written, which [sweep_chunk()] computes again, and the columns
 #'   `r describe_columns(sweep_check_columns, sweep_check_meanings)`
 #'   `sweep_digest()`: text.
-#' @section Errors: `rotdyn_error_file` for a folder without a sweep, or with parts that are
-#'   missing: [sweep_resume()] computes them; `rotdyn_error_package`, `rotdyn_error_type`,
+#' @section Errors: `rotdyn_error_file` for a folder without a sweep, with parts that are missing
+#'   ([sweep_resume()] computes them) or with rows that are not as they were written; `rotdyn_error_package`, `rotdyn_error_type`,
 #'   `rotdyn_error_value`.
 #' @source The layout of a folder: [sweep_run()].
 #' @seealso [sweep_run()], [summary.rot_sweep()].

@@ -96,7 +96,12 @@ check_probs <- function(probs, call) {
 }
 
 # Of an interval; an end that is infinite is both.
-middle_of <- function(low, high) ifelse(low == high, low, low + (high - low) / 2)
+middle_of <- function(low, high) {
+  same <- !is.nan(low) & low == high
+  middle <- low + (high - low) / 2
+  middle[same] <- low[same]
+  middle
+}
 
 #' @export
 print.rot_sweep_summary <- function(x, ...) {
@@ -113,8 +118,8 @@ print.rot_sweep_summary <- function(x, ...) {
           sep = "")
     }
     if (length(about$failed)) {
-      cat("#   the first of them: row ", paste(utils::head(about$failed, 5), collapse = ", "), "\n",
-          sep = "")
+      first <- paste(whole_words(utils::head(about$failed, 5)), collapse = ", ")
+      cat("#   the first of them: row ", first, "\n", sep = "")
     }
     if (about$above > 0) {
       cat("# error above ", format(about$accuracy), ": ", count(about$above), " rows, ",

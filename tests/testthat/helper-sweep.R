@@ -27,8 +27,9 @@ sums_file <- function(folder, chunk) file.path(folder, "sums", part_name(chunk))
 bits_of <- function(x) lapply(unclass(x), writeBin, raw())
 all_bytes_of <- function(path) readBin(path, "raw", file.size(path))
 
-# After a fault: what has a final name is whole, and nothing is being written. "" or what is wrong.
-fault_of_folder <- function(folder, plan) {
+# After a fault: what has a final name is whole; of a folder also that nothing is being written. ""
+# or what is wrong.
+fault_of_parts <- function(folder, plan) {
   if (!dir.exists(folder)) return("")
   wrong <- character()
   path <- file.path(folder, "run.json")
@@ -50,8 +51,13 @@ fault_of_folder <- function(folder, plan) {
     whole <- !is.null(rows) && identical(rows$row, seq(range[1], length.out = range[2]))
     if (!whole) wrong <- c(wrong, paste("rows", chunk))
   }
+  paste(wrong, collapse = ", ")
+}
+
+fault_of_folder <- function(folder, plan) {
   left <- c(dir(file.path(folder, "work")), dir(folder, "^[.]rotdyn-", all.files = TRUE))
-  paste(c(wrong, left), collapse = ", ")
+  wrong <- c(fault_of_parts(folder, plan), left)
+  paste(wrong[nzchar(wrong)], collapse = ", ")
 }
 
 expect_whole_folder <- function(folder, plan, digest, label = folder) {
@@ -80,6 +86,8 @@ start_process <- function(lines, plan = NULL, before = NULL, alone = NULL) {
     } else {
       sprintf(".libPaths(%s, include.site = FALSE)", deparse(alone))
     },
+    # For daemons that it starts.
+    "Sys.setenv(R_LIBS = paste(.libPaths(), collapse = .Platform$path.sep))",
     "suppressPackageStartupMessages(library(rotdyn))", "ns <- asNamespace('rotdyn')",
     sprintf("plan <- readRDS(%s)", deparse(files$plan)),
     sprintf("said <- function(...) cat(..., '\\n', file = %s, append = TRUE)", deparse(files$said)),
@@ -112,3 +120,39 @@ words_of <- function(process) {
 }
 has_said <- function(process, pattern) function() grepl(pattern, words_of(process))
 ended <- "(^|\n)(ended|interrupted|error:)"
+
+# ---- a run that can be stopped ------------------------------------------------------------------
+
+# Scenes of a function, 256 rows and 44; where the environment variable ROTDYN_GATE names a file,
+# the row of ROTDYN_GATE_ROW waits for its end, in a chunk, and says so by a file.
+gated_plan <- function(n = 300) {
+  plan <- sweep_plan(NULL, 3, design_list(data.frame(m = seq_len(n))), outputs = "final_theta_rad",
+    chunk_rows = 256, build = function(row) {
+      gate <- Sys.getenv("ROTDYN_GATE")
+      if (nzchar(gate) && identical(Sys.getenv("ROTDYN_GATE_ROW"), as.character(row$m))) {
+        names <- vapply(sys.calls(), function(one) deparse(one[[1]])[1], "")
+        # Not where the canary, or a plan, has this row.
+        if (any(c("commit_chunk", "run_in_memory") %in% names)) {
+          file.create(paste0(gate, "-", Sys.getpid()))
+          while (file.exists(gate)) Sys.sleep(0.01)
+        }
+      }
+      scene_axle(row$m, 0.2)
+    }
+  )
+  plan$row_s <- 1e-6
+  plan
+}
+
+new_gate <- function(row, env = parent.frame()) {
+  gate <- tempfile("gate")
+  file.create(gate)
+  do.call(on.exit, list(bquote(unlink(c(.(gate), Sys.glob(paste0(.(gate), "-*"))))), add = TRUE),
+          envir = env)
+  list(
+    file = gate, waiting = function(n = 1) function() length(Sys.glob(paste0(gate, "-*"))) >= n,
+    lines = sprintf("Sys.setenv(ROTDYN_GATE = %s, ROTDYN_GATE_ROW = '%s')", deparse(gate), row)
+  )
+}
+
+stop_process <- function(process) tools::pskill(as.integer(readLines(process$pid)), tools::SIGINT)

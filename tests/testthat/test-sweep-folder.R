@@ -238,7 +238,7 @@ test_that("parts cut at any length, empty, missing or too long are computed agai
   for (path in c(rows_file(folder, 1), sums_file(folder, 1))) {
     bytes <- all_bytes_of(path)
     n <- length(bytes)
-    lengths <- c(NA, 0, 1, 4, 8, n %/% 2, n - c(1, 4, 8, 9), sample(n - 1, or_long(8, 300)), n + 5)
+    lengths <- c(NA, 0, 1, 4, 8, n %/% 2, n - c(1, 4, 8, 9), sample(n - 1, or_long(4, 300)), n + 5)
     for (m in lengths) {
       unlink(path)
       if (!is.na(m)) writeBin(c(bytes, raw(5))[seq_len(m)], path)
@@ -291,8 +291,8 @@ test_that("any bit that changes is found by sweep_check(), and gives no wrong nu
     bytes <- all_bytes_of(path)
     of_run <- basename(path) == "run.json"
     # The end has what is said about the columns.
-    at <- c(1, 4, length(bytes), sample(length(bytes), or_long(15, 1500)),
-            length(bytes) - sample(1000, or_long(15, 500)))
+    at <- c(1, 4, length(bytes), sample(length(bytes), or_long(9, 1500)),
+            length(bytes) - sample(1000, or_long(9, 500)))
     for (i in at) {
       bit <- sample(0:7, 1)
       flipped <- bytes
