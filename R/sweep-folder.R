@@ -79,6 +79,7 @@ make_sweep_folder <- function(plan, folder, call) {
     compare_plans(plan, kept, folder, call)
     return(kept)
   }
+  check_session_variables(plan, call)
   plan$hash <- plan_hash(plan)
   check_free_folder(plan, folder, call)
   check_disk(plan, folder, call)

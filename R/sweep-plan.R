@@ -88,6 +88,7 @@ sweep_plan <- function(scene, time_s, design, outputs = NULL, ..., derive = NULL
   plan <- plan_derived(plan, derive, call)
   plan <- plan_bound(plan, call)
   plan <- plan_outputs(plan, outputs, call)
+  check_input_columns(plan, call)
   plan <- plan_model(plan, model, call)
   plan <- plan_kept(plan, keep, call)
   class(plan) <- "rot_sweep_plan"
@@ -144,6 +145,37 @@ free_variables <- function(f, given) {
   found <- function(name) exists(name, envir = the_namespace(), inherits = TRUE) &&
     !exists(name, envir = globalenv(), inherits = FALSE)
   Filter(function(name) !found(name), setdiff(used[nzchar(used)], c(own, quoted_names(body(f)))))
+}
+
+# Functions of a scene, or beside one that builds scenes, find all that they use in another process:
+# what is in a session's own workspace stays there.
+check_session_variables <- function(plan, call) {
+  functions <- function(x) {
+    if (is.function(x)) return(list(x))
+    if (is.list(x)) unlist(lapply(unname(unclass(x)), functions))
+  }
+  found <- unlist(lapply(functions(list(plan$node, plan$given)), function(f) {
+    if (is.primitive(f)) return(NULL)
+    Filter(function(name) !kept_with(name, environment(f)), free_variables(f, NULL))
+  }))
+  if (!length(found)) return(invisible())
+  found <- unique(found)
+  abort_rotdyn(c(
+    "An R function of the sweep uses {.code {found}} of this session's workspace.",
+    x = "Another process would not find {cli::qty(length(found))}{?it/them}.",
+    i = "Make it where {cli::qty(length(found))}{?it is/they are} local: {.code local({{ {found[1]}
+         <- {found[1]}; function(time_s) ... }})}."
+  ), "value", call)
+}
+
+# Is a name in the environments that are written with a function?
+kept_with <- function(name, env) {
+  while (!identical(env, globalenv()) && !identical(env, emptyenv()) && !isNamespace(env) &&
+    !identical(env, baseenv())) {
+    if (exists(name, envir = env, inherits = FALSE)) return(TRUE)
+    env <- parent.env(env)
+  }
+  isNamespace(env) && exists(name, envir = env)
 }
 
 # The names on the left of assignments, of loops, and the arguments of functions inside.
@@ -315,6 +347,17 @@ plan_outputs <- function(plan, outputs, call) {
   plan
 }
 
+# The rows have columns of these names beside those of the inputs.
+check_input_columns <- function(plan, call) {
+  twice <- intersect(all_inputs(plan), c("row", "error", "status", plan$outputs))
+  if (!length(twice)) return(invisible())
+  abort_rotdyn(c(
+    "{.field {twice}} {?is an input/are inputs}, and {?a column/columns} of the rows beside the
+     inputs.",
+    i = "Give {cli::qty(length(twice))}{?it another name/them other names}."
+  ), "argument", call)
+}
+
 # Of a row that has one.
 first_scene <- function(plan, call) {
   refused <- NULL
@@ -323,7 +366,9 @@ first_scene <- function(plan, call) {
     if (!inherits(scene, "error")) return(scene)
     refused <- refused %||% scene
   }
-  abort_rotdyn("{.arg build} makes no scene of the rows looked at.", "value", call, parent = refused)
+  abort_rotdyn(
+    "{.arg build} makes no scene of the rows looked at.", "value", call, parent = refused
+  )
 }
 
 constraint_place <- function(id) match(id, vapply(all_constraints(), `[[`, "", "id"))

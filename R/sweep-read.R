@@ -23,8 +23,8 @@
 #'   `r describe_columns(sweep_check_columns, sweep_check_meanings)`
 #'   `sweep_digest()`: text.
 #' @section Errors: `rotdyn_error_file` for a folder without a sweep, with parts that are missing
-#'   ([sweep_resume()] computes them) or with rows that are not as they were written; `rotdyn_error_package`, `rotdyn_error_type`,
-#'   `rotdyn_error_value`.
+#'   ([sweep_resume()] computes them) or with rows that are not as they were written;
+#'   `rotdyn_error_package`, `rotdyn_error_type`, `rotdyn_error_value`.
 #' @source The layout of a folder: [sweep_run()].
 #' @seealso [sweep_run()], [summary.rot_sweep()].
 #' @concept parameter study

@@ -94,7 +94,8 @@ start_process <- function(lines, plan = NULL, before = NULL, alone = NULL) {
     sprintf("writeLines(as.character(Sys.getpid()), %s)", deparse(files$pid)),
     "tryCatch(withCallingHandlers({", lines, "said('ended')", "},",
     "message = function(m) said('message:', conditionMessage(m)),",
-    "warning = function(w) { said('warning:', conditionMessage(w)); invokeRestart('muffleWarning') }),",
+    "warning = function(w) {",
+    "  said('warning:', conditionMessage(w))", "  invokeRestart('muffleWarning')", "}),",
     "interrupt = function(e) said('interrupted'),",
     "error = function(e) said('error:', class(e)[1], conditionMessage(e)))"
   ), files$script)

@@ -420,6 +420,9 @@ test_that("a sweep of a scene with R functions goes on in its folder", {
   expect_error(sweep_resume(folder), "trust", class = "rotdyn_error_folder")
   expect_identical(sweep_digest(sweep_resume(folder, trust = TRUE)), sweep_digest(in_memory))
   expect_whole_folder(folder, one, sweep_digest(in_memory))
+  read <- sweep_read(folder)
+  expect_error(sweep_audit(read), "trust", class = "rotdyn_error_folder")
+  expect_identical(sweep_audit(read, 2, trust = TRUE)$verdict, rep("balanced", 2))
   again <- trajectory(sweep_scene(folder, 7, trust = TRUE), c(0, 3))
   expect_identical(again$theta_rad[2], in_memory$final_theta_rad[7])
   # Numbers beside the functions make another sweep.
@@ -434,6 +437,32 @@ test_that("a sweep of a scene with R functions goes on in its folder", {
     change()
     expect_error(sweep_resume(folder, trust = TRUE), "functions.rds", class = "rotdyn_error_file")
   }
+})
+
+test_that("an R function that uses what is in the workspace alone gets no folder", {
+  folder <- sweep_folder()
+  assign("rotdyn_slope", 0.2, globalenv())
+  on.exit(rm("rotdyn_slope", envir = globalenv()), add = TRUE)
+  law <- function(time_s) rotdyn_slope + 0 * time_s
+  plan_of_law <- function(law) {
+    sweep_plan(scene_axle(0.1, law), 3, design_list(data.frame(body = 1:3)))
+  }
+  for (env in list(globalenv(), new.env(parent = globalenv()))) {
+    environment(law) <- env
+    plan <- plan_of_law(law)
+    # In this session it is there.
+    expect_identical(sweep_run(plan)$status, rep("ok", 3))
+    expect_error(sweep_run(plan, folder), "rotdyn_slope", class = "rotdyn_error_value")
+    expect_false(dir.exists(folder))
+  }
+  environment(law) <- list2env(list(rotdyn_slope = 0.2), parent = globalenv())
+  expect_identical(sweep_digest(sweep_run(plan_of_law(law), folder)),
+                   sweep_digest(sweep_run(plan_of_law(law))))
+  helper <- function(x) rotdyn_slope * x
+  environment(helper) <- globalenv()
+  built <- sweep_plan(NULL, 3, design_list(data.frame(m = 1:2)), given = list(f = helper),
+    build = function(row) scene_axle(row$m, f(1)))
+  expect_error(sweep_create(built, tempfile()), "rotdyn_slope", class = "rotdyn_error_value")
 })
 
 test_that("what is given to a function that builds scenes is a part of the sweep", {

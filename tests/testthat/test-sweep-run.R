@@ -11,7 +11,7 @@ rows_of <- function(...) design_list(data.frame(..., check.names = FALSE))
 
 # ---- interrupts ---------------------------------------------------------------------------------
 
-test_that("an interrupt in the first or the last chunk says how far the sweep is, and loses no part", {
+test_that("an interrupt in the first or the last chunk says how far it is, and loses no part", {
   skip_on_cran()
   skip_on_os("windows")
   need_folders()
@@ -57,8 +57,9 @@ test_that("an interrupt stops rows in memory, those of C and those of R", {
   )
   begun <- tempfile()
   of_c <- start_process(c(
-    sprintf("folder <- %s", deparse(begun)), "if (requireNamespace('nanoparquet', quietly = TRUE)) {",
-    "  sweep_run(plan, folder)", "} else {", "  dir.create(folder)", "  sweep_run(plan)", "}"
+    sprintf("folder <- %s", deparse(begun)),
+    "if (requireNamespace('nanoparquet', quietly = TRUE)) sweep_run(plan, folder)",
+    "dir.create(folder)", "sweep_run(plan)"
   ), long)
   on.exit(unlink(begun, recursive = TRUE), add = TRUE)
   expect_true(wait_until(gate$waiting()))
@@ -221,8 +222,8 @@ test_that("an R function that stops ends the sweep, with the row", {
     0.01
   }, numeric())
   expect_error(
-    sweep_plan(scene_axle(0.1, stops), 3, rows_of(omega0_rad_per_s = c(1, 2, 9))), "row 3.*too fast",
-    class = "rotdyn_error_build"
+    sweep_plan(scene_axle(0.1, stops), 3, rows_of(omega0_rad_per_s = c(1, 2, 9))),
+    "row 3.*too fast", class = "rotdyn_error_build"
   )
   build <- function(row) if (row$m == 280) stop("bad luck") else scene_axle(row$m, 0.2)
   plan <- sweep_plan(NULL, 3, rows_of(m = c(1:250, rep(1, 50))), build = build, chunk_rows = 256)
