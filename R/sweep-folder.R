@@ -92,8 +92,10 @@ make_sweep_folder <- function(plan, folder, call) {
     }
   }
   plan$canary <- canary_of(plan, call)
+  code_hash <- NULL
   if (!is_plain(plan)) {
     code <- serialize(plan[c("node", "build", "given")], NULL, version = 3L)
+    code_hash <- .Call(ffi_hash, list(code))
     write_file(code, file.path(folder, "functions.rds"), call)
   }
   record <- c(plan_record(plan), list(
@@ -101,7 +103,7 @@ make_sweep_folder <- function(plan, folder, call) {
     version = as.character(utils::packageVersion("rotdyn")), made = format(Sys.time(), tz = "UTC"),
     columns = lapply(stats::setNames(seq_along(plan$outputs), plan$outputs), function(i) {
       plan$output_unit[i]
-    }), statuses = as.list(row_statuses()), check = ""
+    }), statuses = as.list(row_statuses()), code_hash = code_hash, check = ""
   ))
   text <- json_text(record, 2L)
   with_hash <- paste0("\"check\": \"", record_hash(text), "\"")
@@ -126,10 +128,11 @@ check_free_folder <- function(plan, folder, call) {
   found <- dir(folder, all.files = TRUE, no.. = TRUE)
   own <- found %in% c("rows", "sums", "work", "functions.rds", "owner.json") |
     startsWith(found, ".rotdyn-")
-  parts <- dir(file.path(folder, c("rows", "sums")), full.names = TRUE)
-  foreign <- !length(chunk_of_part(basename(parts))) == length(parts) ||
-    any(vapply(parts, function(path) !identical(part_about(path)[["rotdyn_run"]], plan$hash), NA))
-  if (all(own) && !foreign) return()
+  parts <- dir(file.path(folder, c("rows", "sums")))
+  foreign <- vapply(dir(file.path(folder, "sums"), full.names = TRUE), function(path) {
+    is_sealed(path) && part_about(path)$rotdyn_run != plan$hash
+  }, NA)
+  if (all(own) && length(chunk_of_part(parts)) == length(parts) && !any(foreign)) return()
   abort_rotdyn(c(
     "The folder {.file {folder}} is not empty, and has no sweep.", i = "Name another one."
   ), "file", call)
@@ -173,7 +176,10 @@ read_plan <- function(folder, call, trust = FALSE) {
 # With the R functions of the folder, and what follows from the scene that has them.
 plan_with_code <- function(plan, folder, call) {
   path <- file.path(folder, plan$code)
-  code <- tryCatch(suppressWarnings(readRDS(path)), error = identity)
+  code <- tryCatch(suppressWarnings({
+    bytes <- readBin(path, "raw", file.size(path))
+    if (identical(.Call(ffi_hash, list(bytes)), plan$code_hash)) unserialize(bytes)
+  }), error = identity)
   kept <- c("node", "build", "given")
   if (is.list(code) && !inherits(code, "error")) plan[kept] <- code[kept]
   if (!identical(plan_hash(plan), plan$hash)) {
@@ -198,7 +204,8 @@ plan_of_record <- function(x) {
     model = x$model, asked = isTRUE(x$asked), keep = x$keep, outputs = texts(x$outputs),
     output_unit = texts(x$columns), shift = numbers(x$shift), block_rows = x$block_rows,
     group_rows = x$group_rows, chunk_rows = x$chunk_rows, row_s = x$row_s, hash = x$hash,
-    canary = x$canary, version = x$version, made = x$made, code = x$code
+    canary = x$canary, version = x$version, made = x$made, code = x$code,
+    code_hash = x$code_hash
   )
   call <- rlang::current_env()
   check_design(plan$design, "design", call)
@@ -307,11 +314,39 @@ put_parquet <- function(x, path, metadata) {
   )
 }
 
-parquet_writer <- function() paste("nanoparquet", utils::packageVersion("nanoparquet"))
+# Damaged files may end R in their reader: nothing is read by it before a hash of all bytes is found
+# right. That of rows is in the sums. The sums have their own, the seal, among their metadata: of
+# the file with zeros in its place.
+seal_mark <- "xxh128:"
+open_seal <- paste0(seal_mark, strrep("0", 32L))
+
+# NULL, or list(at, found, wanted): the place of the seal, what stands there, and what should.
+seal_of <- function(path) {
+  bytes <- readBin(path, "raw", file.size(path))
+  at <- grepRaw(seal_mark, bytes, fixed = TRUE, all = TRUE) + nchar(seal_mark)
+  if (length(at) != 1L || at + 31L > length(bytes)) return(NULL)
+  digits <- at + 0:31
+  found <- bytes[digits]
+  bytes[digits] <- charToRaw("0")
+  list(at = at, found = found, wanted = charToRaw(.Call(ffi_hash, list(bytes))))
+}
+
+seal_file <- function(path) {
+  seal <- seal_of(path)
+  con <- file(path, "r+b")
+  on.exit(close(con))
+  seek(con, seal$at - 1, rw = "write")
+  writeBin(seal$wanted, con)
+}
+
+is_sealed <- function(path) {
+  seal <- tryCatch(suppressWarnings(seal_of(path)), error = function(e) NULL)
+  !is.null(seal) && identical(seal$found, seal$wanted)
+}
 
 # Writes a table under a temporary name, reads its footer back, and gives it its name. Nothing is
 # left of what fails. => list(size, hash, end): bytes, hash of the file, hash of its end.
-write_part <- function(x, folder, kind, chunk, metadata, call) {
+write_part <- function(x, folder, kind, chunk, metadata, call, sealed = FALSE) {
   work <- file.path(folder, "work", paste0(
     kind, "-", part_name(chunk), "-", Sys.info()[["nodename"]], "-", Sys.getpid(), "-",
     basename(tempfile(""))
@@ -320,12 +355,14 @@ write_part <- function(x, folder, kind, chunk, metadata, call) {
   written <- NULL
   fault <- tryCatch(
     suppressWarnings({
-      put_parquet(x, work, metadata)
+      put_parquet(x, work, c(metadata, if (sealed) c(rotdyn_seal = open_seal)))
+      if (sealed) seal_file(work)
       read <- nanoparquet::read_parquet_info(work)
       written <- list(
         size = file.size(work), hash = rlang::hash_file(work), end = hash_of_end(work)
       )
-      if (read$num_rows != nrow(x)) "It was not written whole." else ""
+      whole <- read$num_rows == nrow(x) && (!sealed || is_sealed(work))
+      if (whole) "" else "It was not written whole."
     }),
     error = function(e) conditionMessage(e)
   )
@@ -376,24 +413,16 @@ commit_chunk <- function(plan, folder, chunk, threads, progress, call) {
     ), call)
   }
   sums <- as.data.frame(found$sums)
-  about <- c(
+  write_part(sums, folder, "sums", chunk, c(
     rotdyn_run = plan$hash, rotdyn_chunk = number(chunk), rotdyn_rows_kept = number(kept),
     rotdyn_rows_bytes = number(file$size), rotdyn_rows_hash = rows_hash,
     rotdyn_rows_file = file$hash, rotdyn_rows_end = file$end,
-    rotdyn_checksum = checksum_text(found$checksum), rotdyn_writer = parquet_writer()
-  )
-  about <- c(about, rotdyn_sums_hash = sums_hash(sums, about))
-  write_part(sums, folder, "sums", chunk, about, call)
+    rotdyn_checksum = checksum_text(found$checksum)
+  ), call, sealed = TRUE)
   list(
     chunk = chunk, rows = range[2], kept = kept, bytes = file$size,
     seconds = proc.time()[[3L]] - start
   )
-}
-
-# Of the columns and of all that is said about them.
-sums_hash <- function(sums, about) {
-  about <- about[names(about) != "rotdyn_sums_hash"]
-  hash_text(paste(c(columns_hash(sums), names(sums), names(about), about), collapse = "\n"))
 }
 
 # A folder that was removed, or given to another sweep, during the run gets no part of this one.
@@ -424,10 +453,10 @@ part_about <- function(path) {
 look_at_part <- function(plan, folder, chunk) {
   path <- file.path(folder, "sums", part_name(chunk))
   if (!file.exists(path)) return(list(fault = "not done"))
+  if (!is_sealed(path)) return(list(fault = "its sums are damaged"))
   sums <- tryCatch(as.list(nanoparquet::read_parquet(path)), error = function(e) NULL)
   about <- part_about(path)
-  own <- !is.null(sums) && identical(about$rotdyn_sums_hash, sums_hash(sums, unlist(about)))
-  if (!own) return(list(fault = "its sums are damaged"))
+  if (is.null(sums) || !length(about)) return(list(fault = "its sums cannot be read"))
   if (about$rotdyn_run != plan$hash) return(list(fault = "its sums are of another sweep"))
   if (as.double(about$rotdyn_chunk) != chunk) return(list(fault = "its sums are of another chunk"))
   if (plan$keep != "summary") {
@@ -456,6 +485,8 @@ read_sums_part <- function(plan, folder, chunk) {
 # The rows kept of a chunk, as they were written; NULL where they were not.
 read_rows_part <- function(folder, chunk, about) {
   path <- file.path(folder, "rows", part_name(chunk))
+  file <- tryCatch(rlang::hash_file(path), error = function(e) "")
+  if (file != about$rotdyn_rows_file) return(NULL)
   rows <- tryCatch(as.data.frame(nanoparquet::read_parquet(path)), error = function(e) NULL)
   if (!is.null(rows) && columns_hash(rows) == about$rotdyn_rows_hash) rows
 }

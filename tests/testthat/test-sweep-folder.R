@@ -14,7 +14,8 @@ single <- small_plan(1)
 # Calls of these functions are counted while the option is there, and fail at 0: before they do
 # anything, or after all that they do.
 faulty <- list(
-  c("put_parquet", "rotdyn"), c("hash_of_end", "rotdyn"), c("put_whole", "rotdyn"),
+  c("put_parquet", "rotdyn"), c("seal_file", "rotdyn"), c("hash_of_end", "rotdyn"),
+  c("put_whole", "rotdyn"),
   c("check_still_there", "rotdyn"), c("canary_of", "rotdyn"), c("own_folder", "rotdyn"),
   c("file.rename", "base"), c("dir.create", "base"), c("read_parquet_info", "nanoparquet")
 )
@@ -432,6 +433,7 @@ test_that("a sweep of a scene with R functions goes on in its folder", {
   bytes <- all_bytes_of(path)
   for (change in list(
     function() writeBin(bytes[1:50], path), function() unlink(path),
+    function() writeBin(replace(bytes, 300, xor(bytes[300], as.raw(1))), path),
     function() writeBin(serialize(list(node = 3), NULL), path)
   )) {
     change()

@@ -137,8 +137,10 @@ test_that("rows, seeds and conditions beyond 2^31 are those of the design", {
 test_that("a chunk beyond row 2^31 is committed and read", {
   skip_if_not_installed("nanoparquet")
   skip_if_not_installed("yyjsonr")
-  plan <- sweep_plan(wheel, 400, design_latin(2^35, seed = 1, omega0_rad_per_s = vary_normal(20, 1)),
-                     chunk_rows = 2^16, keep = ~ omega0_rad_per_s > 23)
+  plan <- sweep_plan(
+    wheel, 400, design_latin(2^35, seed = 1, omega0_rad_per_s = vary_normal(20, 1)),
+    chunk_rows = 2^16, keep = ~ omega0_rad_per_s > 23
+  )
   folder <- tempfile("sweep-")
   on.exit(unlink(folder, recursive = TRUE))
   sweep_create(plan, folder)
@@ -158,7 +160,7 @@ test_that("numbers that are none are refused in times, lists, laws and accuracie
   for (bad in c(NaN, NA, Inf, -Inf)) {
     refused("time", wheel, bad, one)
     refused("time", wheel, c(1, bad), one)
-    if (is.na(bad)) expect_error(rows_of(omega0_rad_per_s = c(1, bad)), class = "rotdyn_error_value")
+    if (is.na(bad)) expect_error(rows_of(a = c(1, bad)), class = "rotdyn_error_value")
     expect_error(vary_normal(bad, 1), class = "rotdyn_error")
     expect_error(vary_normal(1, bad), class = "rotdyn_error")
     expect_error(vary_uniform(0, bad), class = "rotdyn_error")
