@@ -91,7 +91,9 @@ start_process <- function(lines, plan = NULL, before = NULL, alone = NULL) {
     sprintf("said <- function(...) cat(..., '\\n', file = %s, append = TRUE)", deparse(files$said)),
     sprintf("writeLines(as.character(Sys.getpid()), %s)", deparse(files$pid)),
     "tryCatch(withCallingHandlers({", lines, "said('ended')", "},",
-    "message = function(m) said('message:', conditionMessage(m)),",
+    # Not those of a progress bar.
+    "message = function(m) if (inherits(m, 'rotdyn_message_sweep')) {",
+    "  said('message:', conditionMessage(m))", "},",
     "warning = function(w) {",
     "  said('warning:', conditionMessage(w))", "  invokeRestart('muffleWarning')", "}),",
     "interrupt = function(e) said('interrupted'),",

@@ -169,9 +169,8 @@ test_that("a folder in which nothing can be written is read, when it is done", {
   expect_identical(sweep_digest(sweep_resume(folder)), digest)
   expect_identical(nrow(sweep_check(folder)), 0L)
   skip_if(file.access(folder, 2L) == 0L, "this user writes everywhere")
-  Sys.chmod(folder, "755")
+  Sys.chmod(file.path(folder, "sums"), "755")
   unlink(sums_file(folder, 1))
-  Sys.chmod(folder, "555")
   expect_error(sweep_resume(folder), class = "rotdyn_error_file")
 })
 
