@@ -7,6 +7,10 @@
 #' as they were written, and whether some chunks come out the same again. `sweep_digest()`: a
 #' fingerprint of all rows, kept or not: the same for the same sweep however it was computed.
 #'
+#' What is missing, cut, or of another chunk or sweep is found by [sweep_resume()], which computes
+#' it again. Rows that changed since they were written are refused by `sweep_read()`; any bit that
+#' changed is found by `sweep_check()`.
+#'
 #' @param folder Name of a folder with a sweep. `sweep_scene()`, `sweep_digest()`: also a sweep, and
 #'   of the former a plan.
 #' @param ... Not used; names after it must be given in full.

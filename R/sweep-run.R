@@ -49,7 +49,8 @@
 #'   `sweep_todo()`: numbers of chunks.
 #' @section Errors: `rotdyn_error_memory` for a plan that does not fit into memory;
 #'   `rotdyn_error_folder` for a folder with another sweep, with the first difference, and for
-#'   daemons that do not see it; `rotdyn_error_argument` for a profile without daemons;
+#'   daemons that do not see it; `rotdyn_error_value` for R functions that use the session's
+#'   workspace, which no other process has; `rotdyn_error_argument` for a profile without daemons;
 #'   `rotdyn_error_canary` for a machine whose rows have other bits; `rotdyn_error_chunks` for
 #'   chunks that failed, after all others are done; `rotdyn_error_file` where nothing can be
 #'   written: what is committed stays. `rotdyn_error_package` without \pkg{nanoparquet} or
