@@ -145,8 +145,16 @@ translate_name <- function(name, to) {
     to$constant(pi)
     return(list(text = "pi", level = 6))
   }
-  abort_formula("refers to {.field {name}}, which is no input.", to, name = name,
-                i = "The inputs are {.field {inputs}}.")
+  near <- near_names(name, to$inputs)
+  of_keep <- to$arg == "keep"
+  abort_formula(
+    "refers to {.field {name}}, which is no {what}.", to, name = name, near = near,
+    what = if (of_keep) "input or output" else "input", hints = c(
+      i = if (length(near)) "Did you mean {.field {near}}?",
+      i = if (of_keep) "Inputs and outputs are {.field {inputs}}." else
+        "The inputs are {.field {inputs}}."
+    )
+  )
 }
 
 translate_sign <- function(f, given, to, depth) {
@@ -196,11 +204,11 @@ check_depth <- function(program, arg, call) {
 }
 
 # `problem`: the rest of the sentence, with values by their names in the dots.
-abort_formula <- function(problem, to, ..., i = NULL, allowed = FALSE) {
+abort_formula <- function(problem, to, ..., hints = NULL, allowed = FALSE) {
   env <- list2env(list(..., arg = to$arg, inputs = to$inputs, functions = names(formula_calls)))
   parent.env(env) <- environment()
   abort_rotdyn(c(
-    paste("The formula of {.arg {arg}}", problem), i = i,
+    paste("The formula of {.arg {arg}}", problem), hints,
     i = if (allowed) "Formulas take inputs, numbers, {.code pi} and {.code {functions}}."
   ), "value", to$call, .envir = env)
 }

@@ -230,11 +230,24 @@ correlate <- function(design, matrix, ...) {
 # ---- checks -------------------------------------------------------------------------------------
 
 check_whole <- function(x, arg, call, lower, upper) {
+  # Large ones with all digits.
+  if (is.double(x) && length(x) == 1L && !is.object(x) && isTRUE(x > upper) && is.finite(x) &&
+    upper > 1e6) {
+    abort_rotdyn(c(
+      "{.arg {arg}} must be between {whole_words(lower)} and {whole_words(upper)}.",
+      x = "It is {whole_words(x)}."
+    ), "value", call)
+  }
   x <- check_number(x, arg, "1", call, lower = lower, upper = upper)
   if (x != round(x)) {
     abort_rotdyn("{.arg {arg}} must be a whole number: it is {format(x)}.", "value", call)
   }
   x
+}
+
+# Whole numbers with all their digits: "100000", "4503599627370496".
+whole_words <- function(x) {
+  vapply(x, function(one) format(one, digits = 16, scientific = abs(one) > 1e16), "")
 }
 
 # Required arguments beside inputs in the dots.

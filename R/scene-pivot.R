@@ -126,6 +126,12 @@ pivot_inertia <- function(body, pivot_m, mass_kg, centre_m, call) {
       body = body, inertia = inertia, mass_kg = body$mass_kg, centre_m = centre, pivot_m = pivot
     ))
   }
+  if (!identical(pivot_m, c(0, 0, 0))) {
+    abort_rotdyn(c(
+      "{.arg pivot_m} is for a {.cls rot_body}: moments are about the fixed point.",
+      i = "{.arg centre_m} is the centre of mass from there."
+    ), "argument", call)
+  }
   if (is.null(mass_kg) || is.null(centre_m)) {
     abort_rotdyn(c(
       "{.arg mass_kg} and {.arg centre_m} are missing.",

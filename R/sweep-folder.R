@@ -9,7 +9,7 @@ sweep_format <- 1
 plan_record <- function(plan) {
   list(
     sweep_format = sweep_format, scene = if (is_plain(plan)) plan$node,
-    code = if (!is_plain(plan)) "functions.rds", time_s = as.list(plan$time_s),
+    code = plan$code %||% if (!is_plain(plan)) "functions.rds", time_s = as.list(plan$time_s),
     design = design_record(plan$design),
     derived = lapply(plan$derived, `[[`, "text"), outputs = as.list(plan$outputs),
     model = plan$model, asked = plan$asked, accuracy = plan$accuracy, max_steps = plan$max_steps,
@@ -39,8 +39,10 @@ as_list_of_many <- function(x) if (length(x) == 1L) x else as.list(x)
 
 design_of_record <- function(x) {
   x$inputs <- lapply(x$inputs, function(law) {
-    structure(lapply(law, function(part) if (is.list(part)) unlist(part) else part),
-              class = "rot_vary")
+    law <- lapply(law, function(part) if (is.list(part)) unlist(part) else part)
+    # Infinite numbers alone are read as text.
+    numbers <- setdiff(names(law), c("kind", "unit"))
+    structure(replace(law, numbers, lapply(law[numbers], as.double)), class = "rot_vary")
   })
   if (!is.null(x$correlation)) {
     names <- as.character(unlist(x$correlation$inputs))
@@ -57,13 +59,16 @@ plan_hash <- function(plan) {
   hash_text(json_text(c(plan_record(plan), code)))
 }
 
-# R functions as text, for the hash: their bodies and arguments.
+# R functions as text, for the hash: their bodies and arguments; and all that is beside them, which
+# no text in run.json says.
 code_text <- function(plan) {
-  functions <- function(x) {
+  text <- function(x) {
     if (is.function(x)) return(paste(deparse(args(x)), deparse(body(x)), collapse = "\n"))
-    if (is.list(x)) lapply(unname(unclass(x)), functions) else NULL
+    if (is.list(x)) return(c(names(x), class(x), unlist(lapply(unname(unclass(x)), text))))
+    if (!is.atomic(x) && !is.language(x)) return(class(x))
+    deparse(x, control = c("keepNA", "keepInteger", "niceNames", "showAttributes", "hexNumeric"))
   }
-  paste(unlist(functions(list(plan$build, plan$given, plan$node))), collapse = "\n")
+  paste(text(list(plan$build, plan$given, plan$node)), collapse = "\n")
 }
 
 make_sweep_folder <- function(plan, folder, call) {
@@ -74,22 +79,23 @@ make_sweep_folder <- function(plan, folder, call) {
     compare_plans(plan, kept, folder, call)
     return(kept)
   }
-  if (dir.exists(folder) && length(dir(folder, all.files = TRUE, no.. = TRUE))) {
-    abort_rotdyn(c(
-      "The folder {.file {folder}} is not empty, and has no sweep.", i = "Name another one."
-    ), "file", call)
-  }
+  check_session_variables(plan, call)
+  plan$hash <- plan_hash(plan)
+  check_free_folder(plan, folder, call)
   check_disk(plan, folder, call)
-  for (part in c("", "rows", "sums", "work")) {
-    path <- file.path(folder, part)
+  for (path in c(folder, file.path(folder, c("rows", "sums", "work")))) {
     if (!dir.exists(path) && !suppressWarnings(dir.create(path, recursive = TRUE))) {
-      abort_rotdyn("The folder {.file {path}} cannot be made.", "file", call)
+      abort_rotdyn(c(
+        "The folder {.file {path}} cannot be made.",
+        i = "Is a part of its path a file? May you write there?"
+      ), "file", call)
     }
   }
   plan$canary <- canary_of(plan, call)
-  plan$hash <- plan_hash(plan)
+  code_hash <- NULL
   if (!is_plain(plan)) {
     code <- serialize(plan[c("node", "build", "given")], NULL, version = 3L)
+    code_hash <- .Call(ffi_hash, list(code))
     write_file(code, file.path(folder, "functions.rds"), call)
   }
   record <- c(plan_record(plan), list(
@@ -97,11 +103,39 @@ make_sweep_folder <- function(plan, folder, call) {
     version = as.character(utils::packageVersion("rotdyn")), made = format(Sys.time(), tz = "UTC"),
     columns = lapply(stats::setNames(seq_along(plan$outputs), plan$outputs), function(i) {
       plan$output_unit[i]
-    }), statuses = as.list(row_statuses())
+    }), statuses = as.list(row_statuses()), code_hash = code_hash, check = ""
   ))
+  text <- json_text(record, 2L)
+  with_hash <- paste0("\"check\": \"", record_hash(text), "\"")
+  text <- sub("\"check\": \"\"", with_hash, text, fixed = TRUE)
   # Last: a folder with it is whole.
-  write_file(json_text(record, 2L), file.path(folder, "run.json"), call)
+  write_file(text, file.path(folder, "run.json"), call)
   plan
+}
+
+# Of the text of run.json, without this hash and without the canary, which shows a change itself.
+record_hash <- function(text) {
+  hash_text(gsub("\"(canary|check)\": \"[^\"]*\"|\r|\n+$", "", text))
+}
+
+# New, empty, or what is left of the making of this very sweep.
+check_free_folder <- function(plan, folder, call) {
+  if (file.exists(folder) && !dir.exists(folder)) {
+    abort_rotdyn(c(
+      "{.file {folder}} is a file, and no folder.", i = "Name another one."
+    ), "file", call)
+  }
+  found <- dir(folder, all.files = TRUE, no.. = TRUE)
+  own <- found %in% c("rows", "sums", "work", "functions.rds", "owner.json") |
+    startsWith(found, ".rotdyn-")
+  parts <- dir(file.path(folder, c("rows", "sums")))
+  foreign <- vapply(dir(file.path(folder, "sums"), full.names = TRUE), function(path) {
+    is_sealed(path) && part_about(path)$rotdyn_run != plan$hash
+  }, NA)
+  if (all(own) && length(chunk_of_part(parts)) == length(parts) && !any(foreign)) return()
+  abort_rotdyn(c(
+    "The folder {.file {folder}} is not empty, and has no sweep.", i = "Name another one."
+  ), "file", call)
 }
 
 # The plan of a folder. `trust`: its R functions may be run.
@@ -109,22 +143,54 @@ read_plan <- function(folder, call, trust = FALSE) {
   check_file_name(folder, call, "folder", "folder")
   path <- file.path(folder, "run.json")
   if (!file.exists(path)) {
-    abort_rotdyn("The folder {.file {folder}} has no sweep: there is no {.file run.json}.", "file",
-                 call)
+    why <- if (!file.exists(folder)) "There is no such folder." else
+      if (!dir.exists(folder)) "It is a file."
+    abort_rotdyn(
+      c("The folder {.file {folder}} has no sweep: there is no {.file run.json}.", x = why), "file",
+      call
+    )
   }
-  text <- file_text(path)
-  if (is.na(text)) abort_rotdyn("{.file {path}} is damaged: it has a zero byte.", "file", call)
+  damaged <- function(why, parent = NULL) {
+    abort_rotdyn(c(
+      "{.file {path}} is damaged{why}.",
+      i = "Remove this file and call {.fn sweep_run} with the same plan: what is done is kept."
+    ), "file", call, parent = parent)
+  }
+  text <- tryCatch(file_text(path), error = function(e) NA, warning = function(w) NA)
+  if (is.na(text)) damaged(": it has a zero byte, or cannot be read")
   x <- read_json(text, "sweep", "file", call)
+  if (!is.list(x) || is.null(names(x))) damaged("")
   if (!identical(x$sweep_format, sweep_format)) {
     abort_rotdyn(c(
       "The sweep has an unknown format.", x = "It is {describe_value(x$sweep_format)}."
     ), "file", call)
   }
+  if (!identical(x$check, record_hash(text))) damaged(": it is not as it was written")
   plan <- tryCatch(plan_of_record(x), error = function(e) NULL)
-  if (is.null(plan)) abort_rotdyn("{.file {path}} is damaged.", "file", call)
-  if (!is.null(x$code)) {
-    plan$untrusted <- !trust
-    if (trust) plan[c("node", "build", "given")] <- readRDS(file.path(folder, x$code))
+  if (is.null(plan)) damaged("")
+  if (is.null(plan$code)) return(plan)
+  plan$untrusted <- !trust
+  if (trust) plan_with_code(plan, folder, call) else plan
+}
+
+# With the R functions of the folder, and what follows from the scene that has them.
+plan_with_code <- function(plan, folder, call) {
+  path <- file.path(folder, plan$code)
+  code <- tryCatch(suppressWarnings({
+    bytes <- readBin(path, "raw", file.size(path))
+    if (identical(.Call(ffi_hash, list(bytes)), plan$code_hash)) unserialize(bytes)
+  }), error = identity)
+  kept <- c("node", "build", "given")
+  if (is.list(code) && !inherits(code, "error")) plan[kept] <- code[kept]
+  if (!identical(plan_hash(plan), plan$hash)) {
+    abort_rotdyn(c(
+      "{.file {path}} is missing or damaged.",
+      i = "{.fn sweep_run} with the same plan needs no such file: copy it from another folder."
+    ), "file", call, parent = if (inherits(code, "error")) code)
+  }
+  if (!is.null(plan$node)) {
+    plan$known <- inputs_that_vary(plan$node)
+    plan <- plan_bound(plan, call)
   }
   plan
 }
@@ -138,7 +204,8 @@ plan_of_record <- function(x) {
     model = x$model, asked = isTRUE(x$asked), keep = x$keep, outputs = texts(x$outputs),
     output_unit = texts(x$columns), shift = numbers(x$shift), block_rows = x$block_rows,
     group_rows = x$group_rows, chunk_rows = x$chunk_rows, row_s = x$row_s, hash = x$hash,
-    canary = x$canary, version = x$version, made = x$made
+    canary = x$canary, version = x$version, made = x$made, code = x$code,
+    code_hash = x$code_hash
   )
   call <- rlang::current_env()
   check_design(plan$design, "design", call)
@@ -188,7 +255,7 @@ compare_plans <- function(plan, kept, folder, call) {
   abort_rotdyn(c(
     "The folder {.file {folder}} has another sweep.",
     x = if (length(differs)) "It differs in {.field {differs}}." else
-      "Its R functions are others.",
+      "Its R functions, or the numbers given to them, are others.",
     i = "Name another folder, or go on with that one: {.code sweep_resume(\"{folder}\")}."
   ), "folder", call)
 }
@@ -217,8 +284,10 @@ free_bytes <- function(folder) {
     suppressWarnings(system2("df", c("-Pk", shQuote(folder)), stdout = TRUE, stderr = FALSE)),
     error = function(e) character()
   )
-  fields <- strsplit(trimws(utils::tail(said, 1L)), "[[:space:]]+")[[1]]
-  suppressWarnings(as.double(fields[4])) * 1024
+  # Names before and behind these numbers may have blanks.
+  pattern <- "^.* [0-9]+ +[0-9]+ +([0-9]+) +[0-9]+% .*$"
+  line <- grep(pattern, said, value = TRUE)
+  if (length(line)) as.double(sub(pattern, "\\1", line[1])) * 1024 else NA_real_
 }
 
 # ---- parts --------------------------------------------------------------------------------------
@@ -235,37 +304,84 @@ chunk_range <- function(plan, chunk) {
   c(first, min(plan$chunk_rows, plan$n - first + 1))
 }
 
+# Plain: a dictionary takes 0 and -0 for one value.
+put_parquet <- function(x, path, metadata) {
+  nanoparquet::write_parquet(
+    x, path, compression = "uncompressed", encoding = "PLAIN", metadata = metadata,
+    options = nanoparquet::parquet_options(
+      num_rows_per_row_group = 2^17, write_arrow_metadata = FALSE
+    )
+  )
+}
+
+# Damaged files may end R in their reader: nothing is read by it before a hash of all bytes is found
+# right. That of rows is in the sums. The sums have their own, the seal, among their metadata: of
+# the file with zeros in its place.
+seal_mark <- "xxh128:"
+open_seal <- paste0(seal_mark, strrep("0", 32L))
+
+# NULL, or list(at, found, wanted): the place of the seal, what stands there, and what should.
+seal_of <- function(path) {
+  bytes <- readBin(path, "raw", file.size(path))
+  at <- grepRaw(seal_mark, bytes, fixed = TRUE, all = TRUE) + nchar(seal_mark)
+  if (length(at) != 1L || at + 31L > length(bytes)) return(NULL)
+  digits <- at + 0:31
+  found <- bytes[digits]
+  bytes[digits] <- charToRaw("0")
+  list(at = at, found = found, wanted = charToRaw(.Call(ffi_hash, list(bytes))))
+}
+
+seal_file <- function(path) {
+  seal <- seal_of(path)
+  con <- file(path, "r+b")
+  on.exit(close(con))
+  seek(con, seal$at - 1, rw = "write")
+  writeBin(seal$wanted, con)
+}
+
+is_sealed <- function(path) {
+  seal <- tryCatch(suppressWarnings(seal_of(path)), error = function(e) NULL)
+  !is.null(seal) && identical(seal$found, seal$wanted)
+}
+
 # Writes a table under a temporary name, reads its footer back, and gives it its name. Nothing is
-# left of what fails.
-write_part <- function(x, folder, kind, chunk, metadata, call) {
+# left of what fails. => list(size, hash, end): bytes, hash of the file, hash of its end.
+write_part <- function(x, folder, kind, chunk, metadata, call, sealed = FALSE) {
   work <- file.path(folder, "work", paste0(
     kind, "-", part_name(chunk), "-", Sys.info()[["nodename"]], "-", process_tag(), "-",
     basename(tempfile(""))
   ))
   on.exit(unlink(work))
-  # A dictionary has one zero for 0 and -0.
-  encoding <- rep("PLAIN", sum(vapply(x, is.double, NA)))
-  names(encoding) <- names(x)[vapply(x, is.double, NA)]
+  written <- NULL
   fault <- tryCatch(
-    {
-      nanoparquet::write_parquet(
-        x, work, compression = "uncompressed", metadata = metadata, encoding = encoding,
-        options = nanoparquet::parquet_options(
-          num_rows_per_row_group = 2^17, write_arrow_metadata = FALSE
-        )
-      )
+    suppressWarnings({
+      put_parquet(x, work, c(metadata, if (sealed) c(rotdyn_seal = open_seal)))
+      if (sealed) seal_file(work)
       read <- nanoparquet::read_parquet_info(work)
-      if (read$num_rows != nrow(x)) "It was not written whole." else ""
-    },
+      written <- list(
+        size = file.size(work), hash = rlang::hash_file(work), end = hash_of_end(work)
+      )
+      whole <- read$num_rows == nrow(x) && (!sealed || is_sealed(work))
+      if (whole) "" else "It was not written whole."
+    }),
     error = function(e) conditionMessage(e)
   )
   if (nzchar(fault)) abort_unwritten_part(file.path(folder, kind), fault, call)
-  size <- file.size(work)
   to <- file.path(folder, kind, part_name(chunk))
   if (!suppressWarnings(file.rename(work, to))) {
     abort_unwritten_part(to, "It cannot take its name.", call)
   }
-  size
+  written
+}
+
+# The last 64 KiB have the metadata, and so the number of the chunk: a file of another chunk or run
+# is recognised without reading all of it.
+hash_of_end <- function(path) {
+  con <- file(path, "rb")
+  on.exit(close(con))
+  size <- file.size(path)
+  seek(con, max(0, size - 2^16))
+  .Call(ffi_hash, list(readBin(con, "raw", 2^16)))
 }
 
 abort_unwritten_part <- function(path, fault, call) {
@@ -282,54 +398,97 @@ commit_chunk <- function(plan, folder, chunk, threads, progress, call) {
   start <- proc.time()[[3L]]
   range <- chunk_range(plan, chunk)
   found <- chunk_of_sweep(plan, range[1], range[2], threads, progress, call)
+  check_still_there(plan, folder, call)
+  number <- function(x) format(x, scientific = FALSE, digits = 17)
   kept <- length(found$row)
-  bytes <- 0
+  file <- list(size = 0, hash = "", end = "")
   rows_hash <- ""
   if (plan$keep != "summary") {
     rows <- rows_table(plan, found)
     rows$status <- found$status
     rows_hash <- columns_hash(rows)
-    bytes <- write_part(rows, folder, "rows", chunk, c(
-      rotdyn_run = plan$hash, rotdyn_chunk = format(chunk, scientific = FALSE),
+    file <- write_part(rows, folder, "rows", chunk, c(
+      rotdyn_run = plan$hash, rotdyn_chunk = number(chunk),
       rotdyn_units = json_text(as.list(stats::setNames(plan$output_unit, plan$outputs)))
     ), call)
   }
   sums <- as.data.frame(found$sums)
   write_part(sums, folder, "sums", chunk, c(
-    rotdyn_run = plan$hash, rotdyn_chunk = format(chunk, scientific = FALSE),
-    rotdyn_rows_kept = format(kept, scientific = FALSE),
-    rotdyn_rows_bytes = format(bytes, scientific = FALSE), rotdyn_rows_hash = rows_hash,
-    rotdyn_sums_hash = columns_hash(sums), rotdyn_checksum = checksum_text(found$checksum)
-  ), call)
+    rotdyn_run = plan$hash, rotdyn_chunk = number(chunk), rotdyn_rows_kept = number(kept),
+    rotdyn_rows_bytes = number(file$size), rotdyn_rows_hash = rows_hash,
+    rotdyn_rows_file = file$hash, rotdyn_rows_end = file$end,
+    rotdyn_checksum = checksum_text(found$checksum)
+  ), call, sealed = TRUE)
   list(
-    chunk = chunk, rows = range[2], kept = kept, bytes = bytes,
+    chunk = chunk, rows = range[2], kept = kept, bytes = file$size,
     seconds = proc.time()[[3L]] - start
   )
 }
 
-# The sums of a committed chunk: list(sums, checksum, kept, rows_hash); NULL where its parts are
-# missing, cut or of another run.
-read_sums_part <- function(plan, folder, chunk) {
-  path <- file.path(folder, "sums", part_name(chunk))
+# A folder that was removed, or given to another sweep, during the run gets no part of this one.
+check_still_there <- function(plan, folder, call) {
+  path <- file.path(folder, "run.json")
+  text <- tryCatch(file_text(path), error = function(e) NA, warning = function(w) NA)
+  own <- paste0("\"hash\": \"", plan$hash, "\"")
+  if (!is.na(text) && grepl(own, text, fixed = TRUE)) return()
+  abort_rotdyn(c(
+    "{.file {path}} is no longer that of this sweep: it was {if (is.na(text)) 'removed' else
+     'replaced'} during the run.",
+    i = "{.fn sweep_run} with the same plan goes on, in this folder or in another one."
+  ), "file", call)
+}
+
+# The pairs of names and texts of a Parquet file; none where it cannot be read.
+part_about <- function(path) {
   tryCatch(
     {
-      sums <- as.list(nanoparquet::read_parquet(path))
       pairs <- nanoparquet::read_parquet_metadata(path)$file_meta_data$key_value_metadata[[1]]
-      about <- stats::setNames(pairs$value, pairs$key)
-      rows <- file.path(folder, "rows", part_name(chunk))
-      whole <- about[["rotdyn_run"]] == plan$hash &&
-        about[["rotdyn_sums_hash"]] == columns_hash(sums) &&
-        (plan$keep == "summary" ||
-          identical(file.size(rows), as.double(about[["rotdyn_rows_bytes"]])))
-      if (whole) {
-        list(
-          sums = sums, checksum = checksum_of_text(about[["rotdyn_checksum"]]),
-          kept = as.double(about[["rotdyn_rows_kept"]]), rows_hash = about[["rotdyn_rows_hash"]]
-        )
-      }
+      stats::setNames(as.list(pairs$value), pairs$key)
     },
-    error = function(e) NULL
+    error = function(e) list()
   )
+}
+
+# The sums of a committed chunk: list(sums, checksum, kept, about); or list(fault), in words.
+look_at_part <- function(plan, folder, chunk) {
+  path <- file.path(folder, "sums", part_name(chunk))
+  if (!file.exists(path)) return(list(fault = "not done"))
+  if (!is_sealed(path)) return(list(fault = "its sums are damaged"))
+  sums <- tryCatch(as.list(nanoparquet::read_parquet(path)), error = function(e) NULL)
+  about <- part_about(path)
+  if (is.null(sums) || !length(about)) return(list(fault = "its sums cannot be read"))
+  if (about$rotdyn_run != plan$hash) return(list(fault = "its sums are of another sweep"))
+  if (as.double(about$rotdyn_chunk) != chunk) return(list(fault = "its sums are of another chunk"))
+  if (plan$keep != "summary") {
+    rows <- file.path(folder, "rows", part_name(chunk))
+    if (!file.exists(rows)) return(list(fault = "its rows are missing"))
+    if (!identical(file.size(rows), as.double(about$rotdyn_rows_bytes))) {
+      return(list(fault = "its rows are cut, or of another chunk"))
+    }
+    end <- tryCatch(hash_of_end(rows), error = function(e) "")
+    if (end != about$rotdyn_rows_end) {
+      return(list(fault = "its rows are damaged, or of another chunk"))
+    }
+  }
+  list(
+    sums = sums, checksum = checksum_of_text(about$rotdyn_checksum),
+    kept = as.double(about$rotdyn_rows_kept), about = about
+  )
+}
+
+# NULL where its parts are missing, cut, damaged or of another run or chunk.
+read_sums_part <- function(plan, folder, chunk) {
+  part <- look_at_part(plan, folder, chunk)
+  if (is.null(part$fault)) part
+}
+
+# The rows kept of a chunk, as they were written; NULL where they were not.
+read_rows_part <- function(folder, chunk, about) {
+  path <- file.path(folder, "rows", part_name(chunk))
+  file <- tryCatch(rlang::hash_file(path), error = function(e) "")
+  if (file != about$rotdyn_rows_file) return(NULL)
+  rows <- tryCatch(as.data.frame(nanoparquet::read_parquet(path)), error = function(e) NULL)
+  if (!is.null(rows) && columns_hash(rows) == about$rotdyn_rows_hash) rows
 }
 
 # Chunks that are committed, by the names of their parts alone.
@@ -338,16 +497,11 @@ committed_chunks <- function(plan, folder) {
   sort(chunks[chunks >= 1 & chunks <= n_chunks(plan)])
 }
 
-# Chunks to compute: those without parts, or with parts that cannot be used, which go to work/.
+# Chunks to compute: those without parts, or with parts that cannot be used, which stay until the
+# new ones take their names. Nothing is removed on the word of a reader that may have failed itself.
 chunks_to_do <- function(plan, folder) {
   done <- committed_chunks(plan, folder)
   whole <- vapply(done, function(chunk) !is.null(read_sums_part(plan, folder, chunk)), NA)
-  for (chunk in done[!whole]) {
-    for (kind in c("sums", "rows")) {
-      path <- file.path(folder, kind, part_name(chunk))
-      if (file.exists(path)) unlink(path)
-    }
-  }
   setdiff(as.double(seq_len(n_chunks(plan))), done[whole])
 }
 

@@ -44,7 +44,8 @@
 #' @section Errors: `rotdyn_error_argument` for an input or output that the scene lacks, with the
 #'   nearest ones; `rotdyn_error_value` for a law with probability outside the domain of its input,
 #'   for a damaged formula and for a `build` with free variables; `rotdyn_error_model` where no
-#'   model takes the rows; `rotdyn_error_type`, `rotdyn_error_time`, `rotdyn_error_size`.
+#'   model takes the rows; `rotdyn_error_build` where `build` or an R function of the scene fails
+#'   in a row, with its number; `rotdyn_error_type`, `rotdyn_error_time`, `rotdyn_error_size`.
 #' @source The choice of a model: [choose_model()].
 #' @seealso [sweep_run()], [sweep_inputs()], [design_sobol()], [vary_normal()].
 #' @concept parameter study
@@ -91,6 +92,7 @@ sweep_plan <- function(scene, time_s, design, outputs = NULL, ..., derive = NULL
   plan <- plan_derived(plan, derive, call)
   plan <- plan_bound(plan, call)
   plan <- plan_outputs(plan, outputs, call)
+  check_input_columns(plan, call)
   plan <- plan_model(plan, model, call)
   kernel <- check_flag(kernel, "kernel", call)
   if (kernel && plan$kind == "core" && .Call(ffi_sweep_is_table, core_sweep(plan))) {
@@ -151,6 +153,37 @@ free_variables <- function(f, given) {
   found <- function(name) exists(name, envir = the_namespace(), inherits = TRUE) &&
     !exists(name, envir = globalenv(), inherits = FALSE)
   Filter(function(name) !found(name), setdiff(used[nzchar(used)], c(own, quoted_names(body(f)))))
+}
+
+# Functions of a scene, or beside one that builds scenes, find all that they use in another process:
+# what is in a session's own workspace stays there.
+check_session_variables <- function(plan, call) {
+  functions <- function(x) {
+    if (is.function(x)) return(list(x))
+    if (is.list(x)) unlist(lapply(unname(unclass(x)), functions))
+  }
+  found <- unlist(lapply(functions(list(plan$node, plan$given)), function(f) {
+    if (is.primitive(f)) return(NULL)
+    Filter(function(name) !kept_with(name, environment(f)), free_variables(f, NULL))
+  }))
+  if (!length(found)) return(invisible())
+  found <- unique(found)
+  abort_rotdyn(c(
+    "An R function of the sweep uses {.code {found}} of this session's workspace.",
+    x = "Another process would not find {cli::qty(length(found))}{?it/them}.",
+    i = "Make it where {cli::qty(length(found))}{?it is/they are} local: {.code local({{ {found[1]}
+         <- {found[1]}; function(time_s) ... }})}."
+  ), "value", call)
+}
+
+# Is a name in the environments that are written with a function?
+kept_with <- function(name, env) {
+  while (!identical(env, globalenv()) && !identical(env, emptyenv()) && !isNamespace(env) &&
+    !identical(env, baseenv())) {
+    if (exists(name, envir = env, inherits = FALSE)) return(TRUE)
+    env <- parent.env(env)
+  }
+  isNamespace(env) && exists(name, envir = env)
 }
 
 # The names on the left of assignments, of loops, and the arguments of functions inside.
@@ -270,17 +303,20 @@ check_domains <- function(plan, all, bound, call) {
   laws <- plan$design$inputs
   for (name in intersect(all[bound], names(laws))) {
     i <- match(name, plan$known$path)
-    if (is.na(i)) next
-    outside <- design_probability_outside(
-      laws[[name]], plan$known$low[i], plan$known$high[i]
-    )
+    # The last time, which is no number of the scene, is finite.
+    low <- if (is.na(i)) -.Machine$double.xmax else plan$known$low[i]
+    high <- if (is.na(i)) .Machine$double.xmax else plan$known$high[i]
+    outside <- design_probability_outside(laws[[name]], low, high)
     # A value or two in 1e12 rows get their status.
     if (!(outside > 1e-12)) next
-    domain <- domain_words(plan$known$low[i], plan$known$high[i], plan$known$above[i])
+    domain <- domain_words(low, high, !is.na(i) && plan$known$above[i])
+    if (domain == "any") domain <- "any finite number"
+    listed <- laws[[name]]$kind %in% c("values", "column", "fixed")
     abort_rotdyn(c(
       "The law of {.field {name}} leaves the domain of this input, {domain}.",
       x = "{format(100 * outside, digits = 2)} % of its rows are outside.",
-      i = "Cut it off: {.code vary_truncated(law, low, high)}."
+      i = if (listed) "Leave these values out." else
+        "Cut it off: {.code vary_truncated(law, low, high)}."
     ), "value", call)
   }
 }
@@ -292,7 +328,7 @@ plan_outputs <- function(plan, outputs, call) {
     known <- outputs_of_node(plan, call)
     scene_class <- NULL
   } else {
-    first <- scene_of_row(plan, 1, call)
+    first <- first_scene(plan, call)
     plan$constraint <- constraint_of(first)$id
     known <- outputs_of_rows(scene_node_with_functions(first, call), call)
   }
@@ -317,6 +353,30 @@ plan_outputs <- function(plan, outputs, call) {
   plan$outputs <- unique(outputs)
   plan$output_unit <- known$unit[match(plan$outputs, known$path)]
   plan
+}
+
+# The rows have columns of these names beside those of the inputs.
+check_input_columns <- function(plan, call) {
+  twice <- intersect(all_inputs(plan), c("row", "error", "status", plan$outputs))
+  if (!length(twice)) return(invisible())
+  abort_rotdyn(c(
+    "{.field {twice}} {?is an input/are inputs}, and {?a column/columns} of the rows beside the
+     inputs.",
+    i = "Give {cli::qty(length(twice))}{?it another name/them other names}."
+  ), "argument", call)
+}
+
+# Of a row that has one.
+first_scene <- function(plan, call) {
+  refused <- NULL
+  for (i in spread_rows(plan, 16)) {
+    scene <- tryCatch(scene_of_row(plan, i, call), rotdyn_error_value = identity)
+    if (!inherits(scene, "error")) return(scene)
+    refused <- refused %||% scene
+  }
+  abort_rotdyn(
+    "{.arg build} makes no scene of the rows looked at.", "value", call, parent = refused
+  )
 }
 
 constraint_place <- function(id) match(id, vapply(all_constraints(), `[[`, "", "id"))
@@ -369,6 +429,13 @@ plan_kept <- function(plan, keep, call) {
     plan$condition <- derived_input(keep, names, "keep", call)
     plan$keep <- "some"
   } else {
+    if (!is.character(keep)) {
+      abort_rotdyn(c(
+        "{.arg keep} must be \"rows\", \"summary\" or a formula.",
+        x = "It is {describe_value(keep)}.",
+        i = "For example {.code keep = ~ {plan$outputs[1]} > 0}."
+      ), "type", call)
+    }
     plan$keep <- check_string(keep, "keep", c("rows", "summary"), call)
   }
   plan
@@ -438,13 +505,25 @@ row_bytes <- function(plan) {
   8 * (length(names(plan$design$inputs)) + length(plan$derived) + length(plan$outputs) + 1) + 12
 }
 
+# Each is a file or two; all their names are listed at a time.
+max_chunks <- 2^20
+
 check_chunk_rows <- function(chunk_rows, plan, call) {
   if (is.null(chunk_rows)) {
     limit <- if (plan$keep == "rows") 2^22 else 2^26
     rows <- 2^round(log2(10 / plan$row_s))
     return(max(min(rows, limit), plan$block_rows, 2^ceiling(log2(plan$n / 65536))))
   }
-  chunk_rows <- check_number(chunk_rows, "chunk_rows", "1", call, plan$block_rows, 2^30)
+  least <- max(plan$block_rows, 2^ceiling(log2(plan$n / max_chunks)))
+  chunk_rows <- check_number(chunk_rows, "chunk_rows", "1", call, plan$block_rows, max(2^30, least))
+  if (chunk_rows < least) {
+    abort_rotdyn(c(
+      "A sweep has at most {max_chunks} chunks.",
+      x = "With {.code chunk_rows = {whole_words(chunk_rows)}} it has
+           {whole_words(ceiling(plan$n / chunk_rows))}.",
+      i = "At least {.code chunk_rows = {whole_words(least)}}; NULL: about ten seconds of work."
+    ), "value", call)
+  }
   if (chunk_rows != 2^round(log2(chunk_rows))) {
     abort_rotdyn(c(
       "{.arg chunk_rows} must be a power of two.", x = "It is {format(chunk_rows)}.",

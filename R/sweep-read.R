@@ -7,6 +7,10 @@
 #' as they were written, and whether some chunks come out the same again. `sweep_digest()`: a
 #' fingerprint of all rows, kept or not: the same for the same sweep however it was computed.
 #'
+#' What is missing, cut, or of another chunk or sweep is found by [sweep_resume()], which computes
+#' it again. Rows that changed since they were written are refused by `sweep_read()`; any bit that
+#' changed is found by `sweep_check()`.
+#'
 #' @param folder Name of a folder with a sweep. `sweep_scene()`, `sweep_digest()`: also a sweep, and
 #'   of the former a plan.
 #' @param ... Not used; names after it must be given in full.
@@ -19,12 +23,12 @@
 #'   design's and the derived inputs, the outputs, `error` and `status` (`"ok"`, or why the row has
 #'   no numbers). [summary()][summary.rot_sweep] and `autoplot()` are of all rows.
 #'   `sweep_scene()`: a scene. `sweep_check()`: a tibble with a row for each chunk that is not as it
-#'   was written, and the columns
+#'   was written, which [sweep_chunk()] computes again, and the columns
 #'   `r describe_columns(sweep_check_columns, sweep_check_meanings)`
 #'   `sweep_digest()`: text.
-#' @section Errors: `rotdyn_error_file` for a folder without a sweep, or with parts that are
-#'   missing: [sweep_resume()] computes them; `rotdyn_error_package`, `rotdyn_error_type`,
-#'   `rotdyn_error_value`.
+#' @section Errors: `rotdyn_error_file` for a folder without a sweep, with parts that are missing
+#'   ([sweep_resume()] computes them) or with rows that are not as they were written;
+#'   `rotdyn_error_package`, `rotdyn_error_type`, `rotdyn_error_value`.
 #' @source The layout of a folder: [sweep_run()].
 #' @seealso [sweep_run()], [summary.rot_sweep()].
 #' @concept parameter study
@@ -48,12 +52,12 @@
 sweep_read <- function(folder, ..., rows = NULL) {
   call <- check_no_dots(...)
   check_supplied("folder", call)
-  need_package("nanoparquet", "Reading a sweep", call)
   if (!is.null(rows)) rows <- check_whole(rows, "rows", call, 0, 2^31 - 1)
   read_sweep(read_plan(folder, call), folder, rows, call)
 }
 
 read_sweep <- function(plan, folder, rows, call) {
+  need_package("nanoparquet", "Reading a sweep", call)
   parts <- lapply(seq_len(n_chunks(plan)), function(chunk) read_sums_part(plan, folder, chunk))
   missing <- which(vapply(parts, is.null, NA))
   if (length(missing)) {
@@ -75,7 +79,8 @@ read_sweep <- function(plan, folder, rows, call) {
     sums = sums, checksum = add_checksums(lapply(parts, `[[`, "checksum")), kept = sum(kept),
     rows = plan$n
   )
-  new_sweep(plan, read_rows(plan, folder, kept, rows, call), whole, folder)
+  about <- lapply(parts, `[[`, "about")
+  new_sweep(plan, read_rows(plan, folder, kept, about, rows, call), whole, folder)
 }
 
 #' @export
@@ -92,7 +97,7 @@ tbl_sum.rot_sweep <- function(x, ...) {
 }
 
 # The first rows kept, up to a million.
-read_rows <- function(plan, folder, kept, rows, call) {
+read_rows <- function(plan, folder, kept, about, rows, call) {
   limit <- rows %||% 1e6
   if (plan$keep == "summary") limit <- 0
   wanted <- which(cumsum(c(0, kept))[seq_along(kept)] < limit & kept > 0)
@@ -107,9 +112,14 @@ read_rows <- function(plan, folder, kept, rows, call) {
       "All: `rows`, or the Parquet files in `rows/` by DuckDB or arrow."
     ), "sweep")
   }
-  read <- lapply(wanted, function(chunk) {
-    as.data.frame(nanoparquet::read_parquet(file.path(folder, "rows", part_name(chunk))))
-  })
+  read <- lapply(wanted, function(chunk) read_rows_part(folder, chunk, about[[chunk]]))
+  bad <- wanted[vapply(read, is.null, NA)]
+  if (length(bad)) {
+    abort_rotdyn(c(
+      "{cli::qty(length(bad))}The rows of chunk{?s} {some_names(whole_words(bad))} are damaged.",
+      i = "Computed again: {.code sweep_chunk(\"{folder}\", {whole_words(bad[1])})}."
+    ), "file", call)
+  }
   all <- do.call(rbind, read)
   all$status <- row_statuses()[all$status + 1L]
   utils::head(all, limit)
@@ -144,7 +154,8 @@ sweep_digest <- function(folder, ...) {
   if (!inherits(folder, "rot_sweep")) {
     folder <- read_sweep(read_plan(folder, call), folder, 0, call)
   }
-  whole <- attr(folder, "sweep")$whole
+  whole <- attr(folder, "sweep", exact = TRUE)$whole
+  if (is.null(whole)) abort_form("", "folder", "sweep", call)
   hash_text(paste(columns_hash(whole$sums), checksum_text(whole$checksum)))
 }
 
@@ -154,6 +165,7 @@ sweep_check <- function(folder, ..., chunks = 3, threads = 1, trust = FALSE) {
   call <- check_no_dots(...)
   check_supplied("folder", call)
   plan <- read_plan(folder, call)
+  need_package("nanoparquet", "Checking a sweep", call)
   chunks <- check_whole(chunks, "chunks", call, 0, 1e6)
   threads <- check_threads(threads, call)
   if (chunks > 0) plan <- open_sweep(folder, trust, call)
@@ -167,13 +179,10 @@ sweep_check <- function(folder, ..., chunks = 3, threads = 1, trust = FALSE) {
 }
 
 fault_of_chunk <- function(plan, folder, chunk, again, threads, call) {
-  if (!file.exists(file.path(folder, "sums", part_name(chunk)))) return("not done")
-  part <- read_sums_part(plan, folder, chunk)
-  if (is.null(part)) return("its sums are damaged, or its rows are missing or cut")
-  path <- file.path(folder, "rows", part_name(chunk))
-  if (plan$keep != "summary") {
-    rows <- tryCatch(as.list(nanoparquet::read_parquet(path)), error = function(e) NULL)
-    if (is.null(rows) || columns_hash(rows) != part$rows_hash) return("its rows are damaged")
+  part <- look_at_part(plan, folder, chunk)
+  if (!is.null(part$fault)) return(part$fault)
+  if (plan$keep != "summary" && is.null(read_rows_part(folder, chunk, part$about))) {
+    return("its rows are damaged")
   }
   if (!again) return(NULL)
   range <- chunk_range(plan, chunk)

@@ -47,13 +47,16 @@ scene_of_row <- function(plan, i, call, row = NULL) {
   }
   if (!is.null(plan$build)) {
     scene <- tryCatch(plan$build(row), error = function(e) {
-      if (inherits(e, "rotdyn_error")) rlang::cnd_signal(e)
-      abort_rotdyn("{.arg build} fails in row {i}.", "build", call, parent = e)
+      if (inherits(e, "rotdyn_error") || is_time_limit(e)) rlang::cnd_signal(e)
+      abort_rotdyn(
+        "{.arg build} fails in row {whole_words(i)}.", "build", call, parent = e, row = i
+      )
     })
     if (!inherits(scene, "rot_scene")) {
       abort_rotdyn(c(
-        "{.arg build} must return a scene.", x = "Of row {i} it returned {describe_value(scene)}."
-      ), "type", call)
+        "{.arg build} must return a scene.",
+        x = "Of row {whole_words(i)} it returned {describe_value(scene)}."
+      ), "type", call, row = i)
     }
     return(scene)
   }
@@ -95,10 +98,10 @@ rows_of_scenes <- function(plan, first, n, progress, call) {
         motion <- motion_of_row(plan, scene, row)
         list(outputs_of_motion(motion, plan$outputs), trajectory_run(motion)$info$error)
       }),
-      rotdyn_error = function(e) e
+      error = identity
     )
     if (inherits(found, "error")) {
-      status[i] <- status_of_error(found)
+      status[i] <- status_of_error(found, first + i - 1, call)
     } else {
       output[i, ] <- found[[1]]
       error[i] <- found[[2]]
@@ -111,12 +114,19 @@ rows_of_scenes <- function(plan, first, n, progress, call) {
   )
 }
 
-# An error of a row by the class of its condition; what is none of the statuses is a fault of the
+# An error of row i by the class of its condition; what is none of the statuses is a fault of the
 # user's function and ends the sweep.
-status_of_error <- function(e) {
+status_of_error <- function(e, i, call) {
+  if (is_time_limit(e)) rlang::cnd_signal(e)
   kind <- sub("^rotdyn_error_", "", class(e)[startsWith(class(e), "rotdyn_error_")][1])
   same <- c(scene = "value", inertia = "value", accuracy = "model", time = "value")
   at <- match(if (kind %in% names(same)) same[[kind]] else kind, row_statuses())
-  if (is.na(at)) rlang::cnd_signal(e)
-  at - 1L
+  if (!is.na(at)) return(at - 1L)
+  # Its message names the row.
+  if (!is.null(e$row)) rlang::cnd_signal(e)
+  abort_rotdyn(c(
+    "An R function of the sweep fails in row {whole_words(i)}.",
+    i = "A row that it cannot take: a torque of NaN, or a number that the constructor refuses, gives
+         it a status."
+  ), if (is.na(kind)) "build" else kind, call, parent = e)
 }

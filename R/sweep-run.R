@@ -49,7 +49,8 @@
 #'   `sweep_todo()`: numbers of chunks.
 #' @section Errors: `rotdyn_error_memory` for a plan that does not fit into memory;
 #'   `rotdyn_error_folder` for a folder with another sweep, with the first difference, and for
-#'   daemons that do not see it; `rotdyn_error_argument` for a profile without daemons;
+#'   daemons that do not see it; `rotdyn_error_value` for R functions that use the session's
+#'   workspace, which no other process has; `rotdyn_error_argument` for a profile without daemons;
 #'   `rotdyn_error_canary` for a machine whose rows have other bits; `rotdyn_error_chunks` for
 #'   chunks that failed, after all others are done; `rotdyn_error_file` where nothing can be
 #'   written: what is committed stays. `rotdyn_error_package` without \pkg{nanoparquet} or
@@ -91,12 +92,11 @@ sweep_run <- function(plan, folder = NULL, ..., threads = 1, compute = NULL) {
   check_compute(compute, call)
   known <- file.exists(file.path(folder, "run.json"))
   kept <- make_sweep_folder(plan, folder, call)
-  # The plan of this session has its functions.
-  kept[c("node", "known", "build", "given", "untrusted")] <- list(
-    plan$node, plan$known, plan$build, plan$given, NULL
-  )
-  if (known) check_canary(kept, folder, call)
-  run_in_folder(kept, folder, threads, compute, call)
+  # The plan of this session has its functions; how it is cut into chunks the folder says.
+  own <- c("hash", "canary", "chunk_rows", "row_s", "version", "made")
+  plan[own] <- kept[own]
+  if (known) check_canary(plan, folder, call)
+  run_in_folder(plan, folder, threads, compute, call)
 }
 
 #' @rdname sweep_run
@@ -144,6 +144,7 @@ sweep_work <- function(folder, part, parts, ..., threads = 1, trust = FALSE) {
 sweep_todo <- function(folder, ...) {
   call <- check_no_dots(...)
   check_supplied("folder", call)
+  need_package("nanoparquet", "Reading a sweep", call)
   chunks_to_do(read_plan(folder, call), folder)
 }
 
@@ -194,6 +195,7 @@ check_compute <- function(compute, call) {
 # The plan of a folder, whose functions may be run.
 open_sweep <- function(folder, trust, call) {
   trust <- check_flag(trust, "trust", call)
+  need_package("nanoparquet", "A sweep in a folder", call)
   plan <- read_plan(folder, call, trust)
   if (isTRUE(plan$untrusted)) {
     abort_rotdyn(c(
@@ -251,18 +253,18 @@ run_in_folder <- function(plan, folder, threads, compute, call) {
 
 complete_folder <- function(plan, folder, threads, compute, call) {
   todo <- chunks_to_do(plan, folder)
+  # A sweep that is done is read where nothing can be written, too.
+  if (!length(todo)) return(clear_work(folder))
   own_folder(folder, call)
-  on.exit(unlink(file.path(folder, "owner.json")))
+  on.exit(disown_folder(folder))
   clear_work(folder)
-  if (length(todo)) {
-    telling_how_far(plan, folder, {
-      if (has_daemons(compute)) {
-        run_by_daemons(plan, folder, todo, threads, compute, call)
-      } else {
-        run_here(plan, folder, todo, threads, call)
-      }
-    })
-  }
+  telling_how_far(plan, folder, {
+    if (has_daemons(compute)) {
+      run_by_daemons(plan, folder, todo, threads, compute, call)
+    } else {
+      run_here(plan, folder, todo, threads, call)
+    }
+  })
   clear_work(folder)
 }
 
@@ -300,7 +302,7 @@ abort_failed_chunks <- function(failed, call) {
   if (!length(failed)) return()
   chunks <- vapply(failed, function(f) as.double(f[[1]]), double(1))
   abort_rotdyn(c(
-    "{length(chunks)} chunk{?s} of the sweep failed: {some_names(as.character(chunks))}.",
+    "{length(chunks)} chunk{?s} of the sweep failed: {some_names(whole_words(chunks))}.",
     i = "All others are done. {.fn sweep_resume} tries {cli::qty(length(chunks))}{?it/them} again."
   ), "chunks", call, parent = if (inherits(failed[[1]][[2]], "error")) failed[[1]][[2]])
 }
@@ -308,7 +310,7 @@ abort_failed_chunks <- function(failed, call) {
 # Who coordinates, as advice: a second one is warned, and does no harm.
 own_folder <- function(folder, call) {
   owner <- read_owner(folder)
-  me <- paste0(Sys.info()[["nodename"]], " process ", Sys.getpid())
+  me <- this_process()
   if (!is.null(owner) && !identical(owner$who, me) && !has_ended(owner)) {
     warn_rotdyn(c(
       "Another process may be at work on {.file {folder}}: {owner$who}.",
@@ -319,15 +321,24 @@ own_folder <- function(folder, call) {
   write_file(json_text(owner), file.path(folder, "owner.json"), call)
 }
 
+this_process <- function() paste0(Sys.info()[["nodename"]], " process ", Sys.getpid())
+
+# The file of another coordinator, which came later, stays.
+disown_folder <- function(folder) {
+  owner <- read_owner(folder)
+  if (identical(owner$who, this_process())) unlink(file.path(folder, "owner.json"))
+}
+
+# NULL: nobody.
 read_owner <- function(folder) {
   path <- file.path(folder, "owner.json")
   if (!file.exists(path)) return(NULL)
-  text <- tryCatch(file_text(path), error = function(e) NA)
-  field <- function(name) {
+  text <- tryCatch(file_text(path), error = function(e) NA, warning = function(w) NA)
+  field <- function(name, otherwise) {
     pattern <- paste0("^.*\"", name, "\": *\"([^\"]*)\".*$")
-    if (is.na(text) || !grepl(pattern, text)) "" else sub(pattern, "\\1", text)
+    if (is.na(text) || !grepl(pattern, text)) otherwise else sub(pattern, "\\1", text)
   }
-  list(who = field("who"), process = field("process"))
+  list(who = field("who", "a process without a name"), process = field("process", ""))
 }
 
 # Is it a process of this host that is no more?

@@ -21,7 +21,8 @@
 #' @param object,x A sweep of [sweep_run()] or [sweep_read()].
 #' @param probs Probabilities, from 0 to 1.
 #' @param rows How many rows, spread over the sweep; NULL: as the plan says.
-#' @param ... Not used.
+#' @param ... Not used; names after it must be given in full.
+#' @param trust As in [sweep_run()], of a sweep that [sweep_read()] returned.
 #' @return `summary()`: a tibble of class `rot_sweep_summary`, a row for each output, with the
 #'   columns
 #'   `r describe_columns(sweep_summary_columns, sweep_summary_meanings)`
@@ -96,7 +97,12 @@ check_probs <- function(probs, call) {
 }
 
 # Of an interval; an end that is infinite is both.
-middle_of <- function(low, high) ifelse(low == high, low, low + (high - low) / 2)
+middle_of <- function(low, high) {
+  same <- !is.nan(low) & low == high
+  middle <- low + (high - low) / 2
+  middle[same] <- low[same]
+  middle
+}
 
 #' @export
 print.rot_sweep_summary <- function(x, ...) {
@@ -113,8 +119,8 @@ print.rot_sweep_summary <- function(x, ...) {
           sep = "")
     }
     if (length(about$failed)) {
-      cat("#   the first of them: row ", paste(utils::head(about$failed, 5), collapse = ", "), "\n",
-          sep = "")
+      first <- paste(whole_words(utils::head(about$failed, 5)), collapse = ", ")
+      cat("#   the first of them: row ", first, "\n", sep = "")
     }
     if (about$above > 0) {
       cat("# error above ", format(about$accuracy), ": ", count(about$above), " rows, ",
@@ -176,11 +182,11 @@ sweep_indices <- function(x, ...) {
 
 #' @rdname summary.rot_sweep
 #' @export
-sweep_audit <- function(x, rows = NULL, ...) {
+sweep_audit <- function(x, rows = NULL, ..., trust = FALSE) {
   call <- check_no_dots(...)
   check_supplied("x", call)
   check_class(x, "rot_sweep", "x", "Make one with {.fn sweep_run}.", call)
-  plan <- plan_of(x, FALSE, call)
+  plan <- plan_of(x, trust, call)
   rows <- if (is.null(rows)) plan$audit_rows else check_whole(rows, "rows", call, 1, 1e6)
   bar <- progress_bar("audit")
   at <- spread_rows(plan, rows)

@@ -26,6 +26,13 @@ sheet <- function(n) {
   )
 }
 
+long_sweep <- function(n) {
+  sweep_plan(
+    scene_axle(0.1, resistance = resistance(4e-4, 2e-5, 0.01), omega0_rad_per_s = 20), 400,
+    design_random(n, seed = 1, omega0_rad_per_s = vary_normal(20, 1)), keep = "summary"
+  )
+}
+
 # Each makes its data first and returns the long call.
 long_calls <- list(
   shaft_modes = function() {
@@ -90,6 +97,32 @@ long_calls <- list(
     rows <- data.frame(moment_of_inertia_kg_m2 = stats::runif(1e7, 1, 2))
     law <- torque_sinusoid(1, 2)
     function() spin_up_table(rows, law, time_s = 10)
+  },
+  # Sweeps: rows of C and of R, in memory and in a folder.
+  sweep_memory = function() {
+    plan <- long_sweep(2^28)
+    function() sweep_run(plan)
+  },
+  sweep_threads = function() {
+    plan <- long_sweep(2^28)
+    function() sweep_run(plan, threads = 2)
+  },
+  sweep_folder = function() {
+    plan <- long_sweep(2^28)
+    function() sweep_run(plan, tempfile("sweep-"))
+  },
+  sweep_functions = function() {
+    plan <- sweep_plan(
+      NULL, 3, design_random(2^16, seed = 1, m = vary_uniform(1, 2)), keep = "summary",
+      build = function(row) scene_axle(row$m, 0.2)
+    )
+    function() sweep_run(plan)
+  },
+  sweep_design = function() {
+    design <- design_latin(
+      2^40, seed = 1, a = vary_normal(0, 1), b = vary_normal(0, 1), c = vary_normal(0, 1)
+    )
+    function() design_rows(design, n = 1e8)
   },
   rolling_table = function() {
     objects <- data.frame(beta = stats::runif(3e7))

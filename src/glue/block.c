@@ -48,7 +48,8 @@ rot_sweep ffi_sweep(SEXP x) {
   to.bound = places;
   const double part = ffi_number_of(x, "part"), threads = ffi_number_of(x, "threads");
   to.part = part >= 1.0 && part <= 65536.0 ? (size_t)part : 256;
-  to.threads = threads >= 1.0 && threads <= 4096.0 ? (int)threads : 1;
+  /* The core starts no more than the system has. */
+  to.threads = !(threads >= 1.0) ? 1 : threads <= 4096.0 ? (int)threads : 4096;
   return to;
 }
 

@@ -203,6 +203,11 @@ test_that("bad input is refused with its class, and the print says what is held"
   expect_error(
     scene_pivot(body_box(1, 1, 1, 1), c(0, 0, 1), pivot_m = 1), class = "rotdyn_error_size"
   )
+  # Moments are about the point: it is not moved.
+  expect_error(top(pivot_m = c(0, 0, 0.1)), "centre_m", class = "rotdyn_error_argument")
+  expect_error(update(top(), pivot_m = c(0, 0, 0.1)), class = "rotdyn_error_argument")
+  expect_error(top(pivot_m = NaN), class = "rotdyn_error_argument")
+  expect_identical(top(pivot_m = c(0, 0, 0)), top())
   expect_output(print(top()), "0.5 kg at 0, 0, 0.08 m from the point", fixed = TRUE)
 })
 

@@ -109,3 +109,126 @@ test_that("rows beyond 2^31, seeds beyond it, one row: all are rows", {
   zero <- sweep_run(sweep_plan(wheel, 400, rows_of("omega0_rad_per_s" = c(-0, 20))))
   expect_identical(zero$final_theta_rad[1], 0)
 })
+
+test_that("rows, seeds and conditions beyond 2^31 are those of the design", {
+  plan <- sweep_plan(wheel, 400, design_random(2^52, seed = 2^53,
+    omega0_rad_per_s = vary_normal(20, 1)), keep = ~ omega0_rad_per_s > 21)
+  expect_identical(n_chunks(plan) <= 65536, TRUE)
+  first <- 2^51 + 1
+  found <- chunk_of_sweep(plan, first, 2^16, call = environment())
+  rows <- rows_table(plan, found)
+  design <- design_rows(plan$design, first, 2^16)
+  wanted <- design[design$omega0_rad_per_s > 21, ]
+  expect_gt(nrow(rows), 5000)
+  expect_identical(rows$row, wanted$row)
+  expect_identical(rows$omega0_rad_per_s, wanted$omega0_rad_per_s)
+  for (row in c(2^31, 2^31 + 1, 2^52)) {
+    expect_identical(
+      sweep_scene(plan, row)$omega0_rad_per_s, design_rows(plan$design, row, 1)$omega0_rad_per_s
+    )
+  }
+  # With all digits.
+  expect_error(sweep_scene(plan, 2^52 + 1), "4503599627370496.*4503599627370497",
+               class = "rotdyn_error_value")
+  expect_error(sweep_plan(wheel, 400, plan$design, chunk_rows = 2^16), "4294967296",
+               class = "rotdyn_error_value")
+})
+
+test_that("a chunk beyond row 2^31 is committed and read", {
+  skip_if_not_installed("nanoparquet")
+  skip_if_not_installed("yyjsonr")
+  plan <- sweep_plan(
+    wheel, 400, design_latin(2^35, seed = 1, omega0_rad_per_s = vary_normal(20, 1)),
+    chunk_rows = 2^16, keep = ~ omega0_rad_per_s > 23
+  )
+  folder <- tempfile("sweep-")
+  on.exit(unlink(folder, recursive = TRUE))
+  sweep_create(plan, folder)
+  chunk <- 2^19 - 1
+  sweep_chunk(folder, chunk)
+  first <- (chunk - 1) * 2^16 + 1
+  part <- nanoparquet::read_parquet(file.path(folder, "rows", part_name(chunk)))
+  design <- design_rows(plan$design, first, 2^16)
+  expect_identical(part$row, design$row[design$omega0_rad_per_s > 23])
+  expect_identical(sweep_status(folder)$rows_done, 2^16)
+  expect_identical(look_at_part(plan_of(folder, FALSE, NULL), folder, chunk)$kept,
+                   as.double(nrow(part)))
+})
+
+test_that("numbers that are none are refused in times, lists, laws and accuracies", {
+  one <- rows_of("body$mass_kg" = 1:2)
+  for (bad in c(NaN, NA, Inf, -Inf)) {
+    refused("time", wheel, bad, one)
+    refused("time", wheel, c(1, bad), one)
+    if (is.na(bad)) expect_error(rows_of(a = c(1, bad)), class = "rotdyn_error_value")
+    expect_error(vary_normal(bad, 1), class = "rotdyn_error")
+    expect_error(vary_normal(1, bad), class = "rotdyn_error")
+    expect_error(vary_uniform(0, bad), class = "rotdyn_error")
+    expect_error(vary_lognormal(1, bad), class = "rotdyn_error")
+    expect_error(vary_triangular(0, bad, 2), class = "rotdyn_error")
+    expect_error(vary_values(c(1, bad)), class = "rotdyn_error")
+    expect_error(vary_values(1:2, c(1, bad)), class = "rotdyn_error")
+    expect_error(design_random(bad, a = vary_uniform(0, 1), seed = 1), class = "rotdyn_error")
+    expect_error(design_random(2, a = vary_uniform(0, 1), seed = bad), class = "rotdyn_error")
+    refused("value", wheel, 4, one, accuracy = as.double(bad))
+    refused("value", wheel, 4, one, chunk_rows = as.double(bad))
+    refused("value", wheel, 4, one, audit_rows = as.double(bad))
+  }
+  # Infinite ones of a list, where the input takes none.
+  refused("value", wheel, 4, rows_of(omega0_rad_per_s = c(1, Inf)), message = "50 %.*Leave")
+  refused("value", wheel, 4, rows_of(time_s = c(1, -Inf)), message = "any finite number")
+  refused("value", wheel, 4, design_grid(time_s = c(1, Inf)), message = "50 %")
+  refused("value", wheel, 4, message = "Cut it off",
+          design_random(9, time_s = vary_lognormal(1e300, 1e9), seed = 1))
+})
+
+test_that("one row, one output, an output twice, no column", {
+  one <- sweep_run(sweep_plan(wheel, 4, design_latin(1, seed = 1, omega0_rad_per_s =
+    vary_uniform(1, 2)), outputs = c("stop_time_s", "stop_time_s")))
+  expect_named(one, c("row", "omega0_rad_per_s", "stop_time_s", "error", "status"))
+  expect_identical(nrow(summary(one)), 1L)
+  expect_identical(summary(one)$infinite, 1)
+  expect_error(design_list(data.frame(row.names = 1:3)), class = "rotdyn_error_size")
+  expect_error(design_list(data.frame(a = double())), class = "rotdyn_error_size")
+  expect_error(sweep_plan(wheel, 4, list()), class = "rotdyn_error_type")
+  refused("type", wheel, 4, rows_of("body$mass_kg" = 1), character())
+  refused("type", wheel, 4, rows_of("body$mass_kg" = 1), NA_character_)
+  # An input that is kept as it is, -0 with its sign.
+  zero <- sweep_run(sweep_plan(wheel, 4, rows_of(theta0_rad = c(-0, 0), omega0_rad_per_s = 0)))
+  expect_identical(1 / zero$theta0_rad, c(-Inf, Inf))
+})
+
+test_that("no input takes the name of another column of the rows", {
+  for (name in c("error", "status", "final_theta_rad")) {
+    design <- design_list(stats::setNames(data.frame(1:3), name))
+    derive <- list(omega0_rad_per_s = stats::as.formula(paste("~", name)))
+    refused("argument", wheel, 4, design, derive = derive, message = name)
+  }
+  refused("argument", wheel, 4, rows_of(a = 1:3), message = "row",
+          derive = list(row = ~ a, omega0_rad_per_s = ~ row))
+})
+
+test_that("what is kept is named in the error: near names, and what it may be", {
+  one <- rows_of("body$mass_kg" = 1:2)
+  refused("value", wheel, 4, one, keep = ~ final_tehta_rad > 1, message = "final_theta_rad")
+  refused("value", wheel, 4, one, keep = ~ rwo > 1, message = "no\\s+input or\\s+output")
+  refused("type", wheel, 4, one, keep = 3, message = "formula")
+  refused("type", wheel, 4, one, keep = NULL)
+  refused("value", wheel, 4, one, keep = "all")
+  refused("value", wheel, 4, one, keep = final_theta_rad ~ 1)
+})
+
+test_that("a function with free variables is refused before it is called", {
+  called <- FALSE
+  build <- function(row) {
+    called <<- TRUE
+    scene_axle(row$m * stiffness + damping)
+  }
+  refused("value", NULL, 1, rows_of(m = 1:2), build = build, given = list(called = FALSE),
+          message = "stiffness.*damping")
+  expect_false(called)
+  # The first rows are refused by the constructor: others show what comes out.
+  some <- sweep_run(sweep_plan(NULL, 3, rows_of(m = c(-1, 0, 1, 2)),
+                               build = function(row) scene_axle(row$m, 0.2)))
+  expect_identical(some$status, c("value", "value", "ok", "ok"))
+})
