@@ -303,6 +303,10 @@ column_list <- list(
   c("reflected_torque_n_m", "N m", "torque reflected to the first shaft, with losses"),
   c("condition", "", "the condition"),
   c("count", "1", "number found; NA where not checked"),
+  c("record", "", "name of the record"),
+  c("linear", "1", "distance in standard errors"),
+  c("rooted", "1", "distance by the root of the growth of a sum of squares"),
+  c("unknown", "", "path of the unknown, or offset, factor, clock of an observed column"),
   c("loss", "", "Coulomb, viscous or quadratic loss, or what else was fitted"),
   c("standard_error", "", "standard error of the fit without bounds"),
   c("lower", "", "lower end of the interval"),
@@ -876,6 +880,20 @@ spelled_units <- function() {
   words <- gsub("[ .]", "_", gsub("/", "_per_", gsub("^", "", tolower(units), fixed = TRUE)))
   stats::setNames(c(units, "degree"), c(words, "deg"))
 }
+fit_columns <- c(
+  "unknown", "record", "value", "standard_error", "lower", "upper", "unit", "status"
+)
+fit_meanings <- c(
+  record = "the record that has it for itself; NA: all", value = "the fitted value",
+  standard_error = "NaN: not determined, or at an edge",
+  status = "determined, not determined, at its lower or upper limit, not converged"
+)
+profile_columns <- c("unknown", "value", "linear", "rooted")
+profile_meanings <- c(
+  value = "at which it is held",
+  linear = "its distance from the fit in standard errors (of the logarithm, where that is fitted)",
+  rooted = "the same by the growth of the sum of squares: equal where the problem is linear"
+)
 sweep_inputs_columns <- c("input", "unit", "value", "domain", "meaning")
 sweep_inputs_meanings <- c(
   input = "its path", value = "in the scene; NaN where it follows from others, or is an object",

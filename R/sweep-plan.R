@@ -514,14 +514,15 @@ check_chunk_rows <- function(chunk_rows, plan, call) {
     rows <- 2^round(log2(10 / plan$row_s))
     return(max(min(rows, limit), plan$block_rows, 2^ceiling(log2(plan$n / 65536))))
   }
-  least <- max(plan$block_rows, 2^ceiling(log2(plan$n / max_chunks)))
-  chunk_rows <- check_number(chunk_rows, "chunk_rows", "1", call, plan$block_rows, max(2^30, least))
-  if (chunk_rows < least) {
+  smallest <- max(plan$block_rows, 2^ceiling(log2(plan$n / max_chunks)))
+  largest <- max(2^30, smallest)
+  chunk_rows <- check_number(chunk_rows, "chunk_rows", "1", call, plan$block_rows, largest)
+  if (chunk_rows < smallest) {
     abort_rotdyn(c(
       "A sweep has at most {max_chunks} chunks.",
       x = "With {.code chunk_rows = {whole_words(chunk_rows)}} it has
            {whole_words(ceiling(plan$n / chunk_rows))}.",
-      i = "At least {.code chunk_rows = {whole_words(least)}}; NULL: about ten seconds of work."
+      i = "At least {.code chunk_rows = {whole_words(smallest)}}; NULL: about ten seconds of work."
     ), "value", call)
   }
   if (chunk_rows != 2^round(log2(chunk_rows))) {

@@ -144,7 +144,8 @@ layers='
 7 scene
 8 object
 9 sweep
-10 api
+10 fit
+11 api
 '
 # INCLUDER:LINE UNIT INCLUDED: a unit is x.c with x.h.
 at='src/core/\([a-z0-9_/]*\)\.[ch]:[0-9]*'

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "maths/least_squares.h"
+#include "maths/trust_region.h"
 
 enum { P = ROT_COAST_PARAMETERS, ALL = ROT_COAST_ALL };
 
@@ -156,15 +156,15 @@ static double rounding_of(const rot_coast_record *record) {
 }
 
 static void put_result(const work *w, const double x[], const rot_squares *found,
-                       const double covariance[], const double factor[], rot_coast_fit *fit) {
+                       rot_coast_fit *fit) {
   const size_t m = w->columns;
   memset(fit->covariance, 0, sizeof fit->covariance);
   memset(fit->factor, 0, sizeof fit->factor);
   for (size_t i = 0; i < m; i++) {
     fit->p[w->column[i]] = x[i];
     for (size_t j = 0; j < m; j++) {
-      fit->covariance[w->column[i]][w->column[j]] = covariance[i * m + j];
-      fit->factor[w->column[i]][j] = factor[i * m + j];
+      fit->covariance[w->column[i]][w->column[j]] = found->covariance[i * m + j];
+      fit->factor[w->column[i]][j] = found->factor[i * m + j];
     }
   }
   fit->squares = found->squares;
@@ -178,14 +178,14 @@ rot_status rot_coast_solve(const rot_coast_record *record, const int fitted[ROT_
   rot_status status = work_begin(&w, record, fitted, fit->p, &fit->reml.noise);
   if (status != ROT_OK) return status;
   double x[ALL], covariance[ALL * ALL], factor[ALL * ALL];
-  rot_squares found = {.iterations = fit->iterations};
-  const rot_squares_problem problem = {record->n,     w.columns, call_residual,
-                                       call_jacobian, &w,        rounding_of(record)};
+  rot_squares found = {.iterations = fit->iterations, .covariance = covariance, .factor = factor};
+  const rot_squares_problem problem = {record->n, w.columns,           call_residual, call_jacobian,
+                                       &w,        rounding_of(record), 1e-12};
   fit->free = w.columns;
   for (size_t j = 0; j < w.columns; j++) x[j] = fit->p[w.column[j]];
-  status = rot_squares_solve(&problem, hooks, x, &found, covariance, factor);
+  status = rot_squares_solve(&problem, hooks, x, &found);
   fit->iterations = found.iterations;
-  if (status == ROT_OK) put_result(&w, x, &found, covariance, factor, fit);
+  if (status == ROT_OK) put_result(&w, x, &found, fit);
   free(w.memory);
   return status;
 }

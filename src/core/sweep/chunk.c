@@ -40,7 +40,7 @@ enum { SLOTS_PER_THREAD = 2, MAX_THREADS = 64, QUICK_PARTS = 128 };
 
 /* Threads take whole blocks, design and sums with them, if there are enough and each is quick: only
  * the calling thread polls, between two blocks. Else they share the rows of one. */
-static void share_threads(work *w, uint64_t rows) {
+static void divide_threads(work *w, uint64_t rows) {
   const rot_chunk_plan *plan = w->plan;
   const size_t part = plan->sweep->part ? plan->sweep->part : 256;
   int threads = plan->sweep->threads;
@@ -87,7 +87,7 @@ static rot_status open_work(work *w, const rot_chunk_plan *plan, uint64_t rows) 
   w->plan = plan;
   w->n_inputs = plan->sweep->design.n_inputs + plan->sweep->n_derived;
   w->n_outputs = plan->sweep->plan.n_outputs;
-  share_threads(w, rows);
+  divide_threads(w, rows);
   const size_t n = w->threads > 1 ? SLOTS_PER_THREAD * (size_t)w->threads : 1;
   w->slots = calloc(n, sizeof *w->slots);
   if (!w->slots) return ROT_ENOMEM;

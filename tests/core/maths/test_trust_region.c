@@ -1,6 +1,6 @@
 /* Least squares against certified values of NIST's Statistical Reference Datasets (Misra1a, from
  * both of their starts), a linear problem, nearly dependent columns, points without residuals. */
-#include "maths/least_squares.h"
+#include "maths/trust_region.h"
 
 #include <math.h>
 #include <string.h>
@@ -33,11 +33,12 @@ static rot_status misra_jacobian(const double b[], double j[], void *ctx) {
 static void certified(void) {
   static const double starts[][2] = {{500.0, 1e-4}, {250.0, 5e-4}};
   int calls = 0;
-  const rot_squares_problem problem = {MISRA, 2, misra_residual, misra_jacobian, &calls, 1e-14};
+  const rot_squares_problem problem = {MISRA,  2,     misra_residual, misra_jacobian,
+                                       &calls, 1e-14, 1e-12};
   for (int k = 0; k < 2; k++) {
-    double x[2] = {starts[k][0], starts[k][1]}, covariance[4], factor[4];
-    rot_squares found = {0};
-    ROT_CHECK(rot_squares_solve(&problem, NULL, x, &found, covariance, factor) == ROT_OK);
+    double x[2] = {starts[k][0], starts[k][1]}, covariance[4], factor[4], r[4];
+    rot_squares found = {.covariance = covariance, .factor = factor, .triangle = r};
+    ROT_CHECK(rot_squares_solve(&problem, NULL, x, &found) == ROT_OK);
     ROT_CHECK_REL(x[0], 2.3894212918e+02, 1e-8);
     ROT_CHECK_REL(x[1], 5.5015643181e-04, 1e-8);
     ROT_CHECK_REL(found.squares, 1.2455138894e-01, 1e-9);
@@ -49,6 +50,10 @@ static void certified(void) {
     ROT_CHECK_REL(factor[0] * factor[0] + factor[1] * factor[1], covariance[0], 1e-14);
     ROT_CHECK_REL(factor[1] * factor[3], covariance[1], 1e-14);
     ROT_CHECK(factor[2] == 0.0);
+    /* R R^-1 = 1: covariance = sigma^2 (R'R)^-1 */
+    ROT_CHECK_REL(fabs(r[3] * factor[3]), found.sigma, 1e-13);
+    ROT_CHECK_REL(fabs(r[0] * factor[0]), found.sigma, 1e-13);
+    ROT_CHECK(r[2] == 0.0);
   }
 }
 
@@ -77,10 +82,10 @@ static rot_status line_jacobian(const double b[], double j[], void *ctx) {
 }
 
 static void dependent(void) {
-  const rot_squares_problem problem = {LINE, 2, line_residual, line_jacobian, NULL, 1e-16};
+  const rot_squares_problem problem = {LINE, 2, line_residual, line_jacobian, NULL, 1e-16, 1e-12};
   double x[2] = {0.0, 0.0}, covariance[4], factor[4];
-  rot_squares found = {0};
-  ROT_CHECK(rot_squares_solve(&problem, NULL, x, &found, covariance, factor) == ROT_OK);
+  rot_squares found = {.covariance = covariance, .factor = factor};
+  ROT_CHECK(rot_squares_solve(&problem, NULL, x, &found) == ROT_OK);
   ROT_CHECK_REL(x[0] + x[1], 2.0, 0.02);
   ROT_CHECK(found.condition > 1e6 && sqrt(covariance[0]) > 1e3);
   /* The variance of the sum, by the factor; by the covariance it has no digit. */
@@ -95,17 +100,17 @@ static rot_status refuse(const double b[], double r[], void *ctx) {
 
 static void faults(void) {
   int calls = 0;
-  rot_squares_problem problem = {MISRA, 2, misra_residual, misra_jacobian, &calls, 0.0};
+  rot_squares_problem problem = {MISRA, 2, misra_residual, misra_jacobian, &calls, 0.0, 1e-12};
   double x[2] = {250.0, 5e-4};
   rot_squares found = {0};
   problem.n = 2;
-  ROT_CHECK(rot_squares_solve(&problem, NULL, x, &found, NULL, NULL) == ROT_EVALUE);
+  ROT_CHECK(rot_squares_solve(&problem, NULL, x, &found) == ROT_EVALUE);
   problem.n = MISRA;
   problem.p = 0;
-  ROT_CHECK(rot_squares_solve(&problem, NULL, x, &found, NULL, NULL) == ROT_EVALUE);
+  ROT_CHECK(rot_squares_solve(&problem, NULL, x, &found) == ROT_EVALUE);
   problem.p = 2;
   problem.jacobian = refuse;
-  ROT_CHECK(rot_squares_solve(&problem, NULL, x, &found, NULL, NULL) == ROT_ERANGE);
+  ROT_CHECK(rot_squares_solve(&problem, NULL, x, &found) == ROT_ERANGE);
   ROT_CHECK(x[0] == 250.0 && x[1] == 5e-4);
 }
 
@@ -113,5 +118,5 @@ int main(void) {
   certified();
   dependent();
   faults();
-  return rot_test_report("least_squares");
+  return rot_test_report("trust_region");
 }

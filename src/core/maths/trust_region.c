@@ -1,4 +1,4 @@
-#include "maths/least_squares.h"
+#include "maths/trust_region.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_multifit_nlinear.h>
@@ -78,8 +78,8 @@ static void decompose(const gsl_matrix *jacobian, triangle *t) {
 
 /* J => covariance and its factor, condition number of J with columns of length 1; from its R factor
  */
-static rot_status invert(const gsl_matrix *jacobian, double sigma, rot_squares *to,
-                         double covariance[], double factor[]) {
+static rot_status invert(const gsl_matrix *jacobian, double sigma, rot_squares *to) {
+  double *covariance = to->covariance;
   const size_t n = jacobian->size1, m = jacobian->size2;
   double *memory = calloc(3 * m * m + m + n * m, sizeof *memory);
   if (!memory) return ROT_ENOMEM;
@@ -106,14 +106,18 @@ static rot_status invert(const gsl_matrix *jacobian, double sigma, rot_squares *
       covariance[i * m + j] = covariance[j * m + i] = sum;
     }
   }
-  if (factor) memcpy(factor, own, m * m * sizeof *own);
+  if (to->factor) memcpy(to->factor, own, m * m * sizeof *own);
+  for (size_t i = 0; i < m && to->triangle; i++) {
+    for (size_t j = 0; j < m; j++) to->triangle[i * m + j] = t.r[i * m + j] * t.length[j];
+  }
   free(memory);
   return ROT_OK;
 }
 
 /* => size of the full Gauss-Newton step in the residuals: the norm of their projection on the span
  * of the Jacobian's columns */
-static rot_status promised(const gsl_matrix *jacobian, const gsl_vector *residual, double *size) {
+static rot_status promised(const gsl_matrix *jacobian, const gsl_vector *residual, double dependent,
+                           double *size) {
   const size_t n = jacobian->size1, m = jacobian->size2;
   double *q = malloc(n * m * sizeof *q), sum = 0.0;
   if (!q) return ROT_ENOMEM;
@@ -133,7 +137,7 @@ static rot_status promised(const gsl_matrix *jacobian, const gsl_vector *residua
     length = 0.0;
     for (size_t i = 0; i < n; i++) length += column[i] * column[i];
     length = sqrt(length);
-    const double scale = length > 1e-12 * before ? 1.0 / length : 0.0;
+    const double scale = length > dependent * before ? 1.0 / length : 0.0;
     for (size_t i = 0; i < n; i++) {
       column[i] *= scale;
       along += column[i] * gsl_vector_get(residual, i);
@@ -164,7 +168,7 @@ static rot_status iterate(gsl_multifit_nlinear_workspace *g, const rot_squares_p
     /* A step is short at the minimum or in a small trust region; in the latter case the full step
      * is long. For nearly dependent columns it remains a fraction of a standard error. */
     double size;
-    const rot_status found = promised(jacobian, residual, &size);
+    const rot_status found = promised(jacobian, residual, of->dependent, &size);
     if (found != ROT_OK) return found;
     if (size <= fmax(sigma, of->rounding * sqrt((double)n))) return ROT_OK;
     if (code == GSL_ENOPROG) return ROT_EBUDGET;
@@ -175,7 +179,7 @@ static rot_status iterate(gsl_multifit_nlinear_workspace *g, const rot_squares_p
 /* By one trust-region method of GSL. */
 static rot_status solve_by(const gsl_multifit_nlinear_trs *trs, double shrink,
                            const rot_squares_problem *of, const rot_hooks *hooks, double x[],
-                           rot_squares *to, double covariance[], double factor[]) {
+                           rot_squares *to) {
   const size_t n = of->n, m = of->p;
   rot_squares_problem problem = *of; /* GSL's data is not const */
   gsl_multifit_nlinear_parameters how = gsl_multifit_nlinear_default_parameters();
@@ -206,8 +210,8 @@ static rot_status solve_by(const gsl_multifit_nlinear_trs *trs, double shrink,
     to->squares = size * size;
     to->sigma = fmax(size / sqrt((double)(n - m)), of->rounding);
     /* Rounding errors are equal for all samples: they do not average out. */
-    status = invert(gsl_multifit_nlinear_jac(g), fmax(to->sigma, of->rounding * sqrt((double)n)),
-                    to, covariance, factor);
+    status =
+        invert(gsl_multifit_nlinear_jac(g), fmax(to->sigma, of->rounding * sqrt((double)n)), to);
   }
   if (g) gsl_multifit_nlinear_free(g);
   if (start) gsl_vector_free(start);
@@ -217,12 +221,11 @@ static rot_status solve_by(const gsl_multifit_nlinear_trs *trs, double shrink,
 /* The dogleg method needs half the steps of Levenberg and Marquardt's from a start near the
  * solution. With nearly dependent columns it may fail where the latter converges. */
 rot_status rot_squares_solve(const rot_squares_problem *problem, const rot_hooks *hooks, double x[],
-                             rot_squares *to, double covariance[], double factor[]) {
+                             rot_squares *to) {
   if (problem->n <= problem->p || problem->p == 0) return ROT_EVALUE;
-  rot_status status =
-      solve_by(gsl_multifit_nlinear_trs_dogleg, 2.0, problem, hooks, x, to, covariance, factor);
+  rot_status status = solve_by(gsl_multifit_nlinear_trs_dogleg, 2.0, problem, hooks, x, to);
   if (status == ROT_EBUDGET || status == ROT_ERANGE) {
-    status = solve_by(gsl_multifit_nlinear_trs_lm, 8.0, problem, hooks, x, to, covariance, factor);
+    status = solve_by(gsl_multifit_nlinear_trs_lm, 8.0, problem, hooks, x, to);
   }
   return status;
 }

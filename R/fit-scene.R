@@ -1,0 +1,373 @@
+# Unknown inputs of a scene from records of its motion: the problem that the core solves.
+
+#' Fit a scene's unknowns to records
+#'
+#' Any inputs of any scene, found by least squares from any columns of its motion. The motion is
+#' that of [trajectory()], events included: a stop, a slip or a lock inside the record bends no
+#' derivative.
+#'
+#' With the observed columns `y_k` of the records, the motion `x_k` of the scene with the unknowns
+#' `p`, and weights from the noise that the residuals show
+#' \deqn{\sum_k \sum_i [y_k(t_i) - b_k - a_k\,x_k(t_i + s; p)]^2 / \sigma_k^2 = \min}{
+#'   sum (y - b - a x(t + s; p))^2/sigma^2 = min}
+#' where offset `b`, factor `a` and clock `s` of the instrument are fitted where asked for (0, 1
+#' and 0 otherwise). Of a positive unknown the logarithm is fitted. Steps stay in the domain of each
+#' input (see [sweep_inputs()]); an unknown that the record pushes to its edge is held there, and
+#' its limit is where the sum of squares has grown as much as the level asks.
+#'
+#' Derivatives are differences of exact motions, with steps that follow from the error figure of the
+#' motion. The noise of each column is white, or white and an Ornstein-Uhlenbeck process, by
+#' restricted likelihood (REML).
+#'
+#' What a record does not tell is said: combinations of unknowns that change without changing the
+#' motion have no standard error (`status` is `"not determined"`), and `glance()` has the condition
+#' of the problem.
+#'
+#' @param scene A scene; its numbers are where the search starts.
+#' @param records A data frame with `time_s` and columns of the scene's motion (`theta_rad`,
+#'   `omega_x_rad_per_s`, `x_m`, ...; of several rows for each time `theta_rad[2]`), a
+#'   [motion_record()], or a list of them. NA: not measured. Each segment of a record is one of its
+#'   own.
+#' @param unknown Paths of inputs, see [sweep_inputs()].
+#' @param ... Not used: an unknown argument is an error.
+#' @param per_record Those of `unknown` that each record has for itself; the others are shared.
+#' @param observed Columns to fit; NULL: all of the records that the motion has.
+#' @param prior A list of [measured()] quantities, by the name of the unknown: what is known of it
+#'   beforehand.
+#' @param offset,factor Observed columns whose instrument has an unknown zero, an unknown scale.
+#' @param clock TRUE: the time of the records begins at an unknown moment, one for each of them.
+#' @param noise `"find"`, or `"white"` for uncorrelated residuals.
+#' @param level Level of the intervals.
+#' @param starts Further starts, spread over a tenth to ten times the scene's numbers, by which a
+#'   second minimum is seen.
+#' @param accuracy Of the motions, as in [trajectory()].
+#' @return A tibble of class `rot_fit` with a row for each unknown and the columns
+#'   `r describe_columns(fit_columns, fit_meanings)`
+#'   `augment()` gives the records with the fitted motion, `glance()` one row, [predict()] the
+#'   motion at any time, [as_scene()] the scene, [vcov()], [coef()] and [confint()] what they are
+#'   elsewhere.
+#' @section Errors: `rotdyn_error_argument` for an unknown that is no input, is derived, or is there
+#'   twice, and for a column that the motion lacks; `rotdyn_error_value` for a start outside the
+#'   domain, an unknown without effect on what was observed, and times before the scene's start;
+#'   `rotdyn_error_size` for fewer samples than unknowns; `rotdyn_error_type`. A fit that does not
+#'   converge is returned with a warning of class `rotdyn_warning_fit`.
+#' @source More, Lecture Notes in Mathematics 630, 105 (1978) for the steps; Harville, J. Am. Stat.
+#'   Assoc. 72, 320 (1977) for REML.
+#' @seealso [fit_coast_down()], [fit_swing()], [sweep_inputs()], [motion_record()].
+#' @concept parameter estimation
+#' @concept nonlinear regression
+#' @concept measurement
+#' @concept system identification
+#' @examples
+#' # A ball is bowled: it slips, then rolls.
+#' lane <- scene_incline(
+#'   body_sphere(6, 0.108), 0, static_friction = 0.12, v0_m_per_s = 8, omega0_rad_per_s = 0
+#' )
+#' set.seed(1)
+#' film <- trajectory(lane, 0:90 / 30)[c("time_s", "x_m")]
+#' film$x_m <- film$x_m + rnorm(91, 0, 0.01)
+#' guess <- scene_incline(
+#'   body_sphere(6, 0.108), 0, static_friction = 0.2, v0_m_per_s = 7, omega0_rad_per_s = 0
+#' )
+#' fit <- fit_scene(guess, film, c("static_friction", "v0_m_per_s"))
+#' fit
+#' as_scene(fit)
+#' @export
+fit_scene <- function(scene, records, unknown, ..., per_record = character(), observed = NULL,
+                      prior = list(), offset = character(), factor = character(), clock = FALSE,
+                      noise = "find", level = 0.95, starts = 0, accuracy = 1e-10) {
+  call <- check_no_dots(...)
+  check_supplied(c("scene", "records", "unknown"), call)
+  check_scene(scene, call)
+  about <- list(
+    scene = scene, node = fit_node(scene, call),
+    noise = check_choice(noise, "noise", c("find", "white"), call),
+    level = check_number(level, "level", "1", call, lower = 0, upper = 0.9999, open = TRUE),
+    accuracy = check_number(accuracy, "accuracy", "1", call, lower = 0, open = TRUE)
+  )
+  starts <- floor(check_number(starts, "starts", "1", call, 0, 1000))
+  about$known <- inputs_that_vary(about$node)
+  about$unknown <- check_unknown(unknown, about, call)
+  about$per_record <- check_among(per_record, "per_record", about$unknown, call)
+  about$records <- fit_records(records, scene, observed, call)
+  columns <- unique(unlist(lapply(about$records, function(r) names(r$series))))
+  about$offset <- check_among(offset, "offset", columns, call)
+  about$factor <- check_among(factor, "factor", columns, call)
+  about$clock <- check_flag(clock, "clock", call)
+  about$parameters <- fit_parameters(about)
+  about$prior <- check_priors(prior, about, call)
+  about$problem <- fit_problem(about, call)
+  new_scene_fit(about, solve_fit(about, starts, call), call)
+}
+
+# ---- checks -------------------------------------------------------------------------------------
+
+fit_node <- function(scene, call) {
+  node <- scene_node_with_functions(scene, call)
+  if (has_functions(node)) {
+    abort_rotdyn(c(
+      "{.fn fit_scene} takes no scene with R functions.",
+      i = "Laws that the core knows, such as {.fn torque_steps} and {.fn torque_knots}, are taken."
+    ), "value", call)
+  }
+  node
+}
+
+check_unknown <- function(unknown, about, call) {
+  if (!is.character(unknown) || !length(unknown) || anyNA(unknown)) {
+    abort_rotdyn("{.arg unknown} must be paths of {.fn sweep_inputs}.", "type", call)
+  }
+  if (anyDuplicated(unknown)) {
+    abort_rotdyn("{.field {unknown[duplicated(unknown)]}} {?is/are} in {.arg unknown} twice.",
+                 "argument", call)
+  }
+  missing <- setdiff(unknown, about$known$path)
+  if (length(missing)) abort_unknown_input(missing, NULL, about$known$path, call)
+  at <- match(unknown, about$known$path)
+  none <- unknown[!is.finite(about$known$value[at])]
+  if (length(none)) {
+    abort_rotdyn(c(
+      "{.field {none}} {?has/have} no number in the scene to start from.",
+      i = "Describe the scene with one."
+    ), "value", call)
+  }
+  unknown
+}
+
+check_among <- function(x, arg, of, call) {
+  if (is.null(x)) return(character())
+  odd <- if (is.character(x)) setdiff(x, of) else "?"
+  if (!is.character(x) || length(odd)) {
+    abort_rotdyn(c(
+      "{.arg {arg}} must be among {.or {.val {of}}}.", x = "It is {describe_value(x)}."
+    ), if (is.character(x)) "argument" else "type", call)
+  }
+  unique(x)
+}
+
+check_priors <- function(prior, about, call) {
+  names <- about$parameters$name
+  if (!is.list(prior) || (length(prior) && !all(rlang::have_name(prior)))) {
+    abort_rotdyn("{.arg prior} must be a named list of {.fn measured} quantities.", "type", call)
+  }
+  check_among(names(prior) %||% character(), "names(prior)", names, call)
+  lapply(prior, function(x) as_measured(x, "prior", "1", call))
+}
+
+# Records as lists of time_s and series (named list of columns), one for each segment.
+fit_records <- function(records, scene, observed, call) {
+  if (is.data.frame(records)) records <- list(records)
+  if (!is.list(records) || !length(records) || !all(vapply(records, is.data.frame, NA))) {
+    abort_rotdyn(c(
+      "{.arg records} must be a data frame, or a list of data frames.",
+      x = "It is {describe_value(records)}."
+    ), "type", call)
+  }
+  known <- fit_observables(scene, call)
+  labels <- names(records) %||% rep("", length(records))
+  out <- list()
+  for (i in seq_along(records)) {
+    one <- records[[i]]
+    if (!"time_s" %in% names(one)) {
+      abort_rotdyn("A record must have the column {.field time_s}.", "missing", call)
+    }
+    wanted <- if (is.null(observed)) intersect(names(one), known) else observed
+    missing <- setdiff(wanted, intersect(names(one), known))
+    if (length(missing) || !length(wanted)) {
+      abort_rotdyn(c(
+        if (length(missing)) {
+          "{.field {missing}} {?is/are} no column{?s} of record {i} and of the motion."
+        } else {
+          "Record {i} has no column of this scene's motion."
+        },
+        i = "The motion has {.field {known}}."
+      ), "argument", call)
+    }
+    time_s <- check_real(one$time_s, "time_s", call)
+    segment <- if ("segment" %in% names(one)) one$segment else rep(1, nrow(one))
+    parts <- split(seq_along(time_s), segment)
+    for (k in seq_along(parts)) {
+      rows <- parts[[k]][order(time_s[parts[[k]]])]
+      series <- lapply(stats::setNames(wanted, wanted), function(name) {
+        y <- as.double(one[[name]])[rows]
+        replace(y, !is.finite(y), NaN)
+      })
+      label <- if (nzchar(labels[i])) labels[i] else as.character(i)
+      out[[length(out) + 1L]] <- list(
+        name = if (length(parts) > 1L) paste0(label, ".", k) else label,
+        time_s = time_s[rows], series = series
+      )
+    }
+  }
+  start <- scene$start_s %||% 0
+  early <- vapply(out, function(r) length(r$time_s) && r$time_s[1] < start, NA)
+  if (any(early)) {
+    one <- out[[which(early)[1]]]
+    abort_rotdyn(c(
+      "Record {one$name} begins before the scene does.",
+      x = "It begins at {format(one$time_s[1])} s, the scene at {format(start)} s.",
+      i = "{.arg start_s} of the scene says when its start holds."
+    ), "value", call)
+  }
+  out
+}
+
+check_real <- function(x, arg, call) {
+  if (!is.numeric(x) || any(!is.finite(x))) {
+    abort_rotdyn("{.field {arg}} must be finite numbers.", "value", call)
+  }
+  as.double(x)
+}
+
+# The columns of a scene's motion that are numbers.
+fit_observables <- function(scene, call) {
+  outputs <- outputs_of_rows(scene_node_with_functions(scene, call), call)$path
+  sub("^final_", "", grep("^final_", outputs, value = TRUE))
+}
+
+# ---- the problem --------------------------------------------------------------------------------
+
+# A row for each number that is fitted: kind ("input", "offset", "factor", "clock"), what it is of
+# (a path or a column), the record that has it for itself (0: all).
+fit_parameters <- function(about) {
+  records <- seq_along(about$records)
+  rows <- list()
+  add <- function(kind, of, record) {
+    rows[[length(rows) + 1L]] <<- list(kind = kind, of = of, record = record)
+  }
+  for (path in about$unknown) {
+    for (r in if (path %in% about$per_record) records else 0L) add("input", path, r)
+  }
+  for (column in about$offset) add("offset", column, 0L)
+  for (column in about$factor) add("factor", column, 0L)
+  if (about$clock) for (r in records) add("clock", "time_s", r)
+  rows <- do.call(rbind, lapply(rows, as.data.frame))
+  rows$label <- ifelse(rows$kind == "input", rows$of, paste(rows$kind, "of", rows$of))
+  single <- rows$record == 0L | length(records) == 1L
+  rows$name <- ifelse(single, rows$label, paste0(rows$label, " (", rows$record, ")"))
+  at <- match(rows$of, about$known$path)
+  input <- rows$kind == "input"
+  largest <- .Machine$double.xmax
+  rows$low <- ifelse(input, pmax(about$known$low[at], -largest), -largest)
+  # No time of a record is before the scene's start.
+  for (i in which(rows$kind == "clock")) {
+    rows$low[i] <- (about$scene$start_s %||% 0) - about$records[[rows$record[i]]]$time_s[1]
+  }
+  rows$high <- ifelse(input, pmin(about$known$high[at], largest), largest)
+  rows$above <- input & about$known$above[at] %in% TRUE
+  rows$start <- ifelse(input, about$known$value[at], as.double(rows$kind == "factor"))
+  rows$unit <- ifelse(input, plain_units(about$known$unit[at]), NA)
+  rows$log <- rows$above & rows$low == 0
+  rows
+}
+
+fit_problem <- function(about, call) {
+  p <- about$parameters
+  outside <- p$start < p$low | p$start > p$high | (p$above & p$start == p$low)
+  if (any(outside)) {
+    abort_rotdyn("{.field {p$name[outside]}} start{?s/} outside {?its/their} domain.", "value",
+                 call)
+  }
+  place <- function(kind, of, r) {
+    at <- which(p$kind == kind & p$of == of & p$record %in% c(0L, r))
+    if (length(at)) at[1] - 1 else -1
+  }
+  unit <- function(name) {
+    table <- column_table()
+    table$unit[match(sub("\\[[0-9]+\\]$", "", name), table$name)]
+  }
+  p$unit[p$kind == "offset"] <- unit(p$of[p$kind == "offset"])
+  p$unit[p$kind == "factor"] <- "1"
+  p$unit[p$kind == "clock"] <- "s"
+  prior <- function(what) vapply(p$name, function(name) {
+    about$prior[[name]][[what]] %||% NaN
+  }, double(1), USE.NAMES = FALSE)
+  list(
+    node = about$node, inputs = about$unknown, start = p$start, logarithm = as.double(p$log),
+    low = p$low, high = p$high, given = NULL, prior = prior("value"), prior_sd = prior("u"),
+    unit = p$unit,
+    accuracy = about$accuracy, max_steps = 1e6, threshold = if (about$noise == "find") 2 else Inf,
+    records = lapply(seq_along(about$records), function(r) {
+      record <- about$records[[r]]
+      list(
+        time_s = record$time_s, shift = place("clock", "time_s", r),
+        unknown = vapply(about$unknown, function(path) place("input", path, r), double(1)),
+        value = about$known$value[match(about$unknown, about$known$path)],
+        series = unname(Map(function(y, name) {
+          index <- if (grepl("\\[[0-9]+\\]$", name)) {
+            as.double(sub("^.*\\[([0-9]+)\\]$", "\\1", name))
+          } else {
+            0
+          }
+          list(
+            column = sub("\\[[0-9]+\\]$", "", name), place = index, y = y,
+            offset = place("offset", name, r), factor = place("factor", name, r),
+            rounding = 4 * .Machine$double.eps * max(abs(y[is.finite(y)]), 0)
+          )
+        }, record$series, names(record$series)))
+      )
+    })
+  )
+}
+
+# The best of the fits from the scene's numbers and from further starts.
+solve_fit <- function(about, starts, call) {
+  p <- about$parameters
+  samples <- sum(vapply(about$records, function(r) sum(vapply(r$series, function(y) {
+    sum(is.finite(y))
+  }, 0L)), 0L)) + length(about$prior)
+  if (samples <= nrow(p)) {
+    abort_rotdyn(c(
+      "There are too few samples for {nrow(p)} unknown{?s}.", x = "There {?is/are} {samples}."
+    ), "size", call)
+  }
+  if (nrow(p) > 14L) {
+    abort_rotdyn("{.fn fit_scene} fits at most 14 numbers at a time, not {nrow(p)}.", "size", call)
+  }
+  problem <- about$problem
+  one <- function(start) {
+    problem$start <- start
+    .Call(ffi_fit, problem, progress_bar("fit"))
+  }
+  found <- one(p$start)
+  if (!is.null(found$refused)) abort_refused_fit(found, about, call)
+  found$others <- double()
+  if (starts > 0) {
+    varied <- which(p$kind == "input")
+    laws <- lapply(varied, function(k) {
+      size <- if (p$start[k] == 0) 1 else abs(p$start[k])
+      if (p$log[k]) return(vary_loguniform(size / 10, size * 10))
+      vary_uniform(max(p$low[k], p$start[k] - 3 * size), min(p$high[k], p$start[k] + 3 * size))
+    })
+    names(laws) <- paste0("u", varied)
+    design <- do.call(design_sobol, c(list(2^ceiling(log2(starts + 1)), seed = 1), laws))
+    rows <- as.matrix(design_rows(design, 1, starts)[names(laws)])
+    for (i in seq_len(starts)) {
+      start <- p$start
+      start[varied] <- rows[i, ]
+      again <- tryCatch(one(start), rotdyn_error = function(e) NULL)
+      if (is.null(again) || !is.null(again$refused) || again$numbers[1] != 0) next
+      found$others <- c(found$others, misfit_of(again))
+      if (found$numbers[1] != 0 || misfit_of(again) < misfit_of(found)) {
+        again$others <- found$others
+        found <- again
+      }
+    }
+  }
+  found
+}
+
+# Minus the logarithm of the likelihood, with the noise that was found, but for what all have.
+misfit_of <- function(found) {
+  noise <- matrix(found$noise, 5L)
+  sum(noise[1L, ] * log(noise[2L, ]))
+}
+
+abort_refused_fit <- function(found, about, call) {
+  at <- found$at + 1
+  n <- length(about$unknown)
+  name <- if (at > n + 1) about$parameters$name[at - n - 1] else about$unknown[at]
+  abort_rotdyn(c(
+    "The fit cannot begin: {found$refused}.", i = if (!is.na(name)) "At {.field {name}}."
+  ), if (at > n + 1) "value" else "argument", call)
+}

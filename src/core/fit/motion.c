@@ -1,0 +1,263 @@
+#include "fit/motion.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "scene/run.h"
+
+/* Values of a run at the samples, and how many events are behind each of them. */
+typedef struct rows {
+  double *value;
+  size_t *events;
+  double error;
+} rows;
+
+struct rot_fit_motion {
+  const rot_fit_motion_plan *plan;
+  const rot_constraint *constraint;
+  const rot_model *model;
+  rot_variants *variants;
+  double *input, *time_s; /* of the present run */
+  double shift_s;
+  size_t rows_per_time;
+  void *column[ROT_MAX_COLUMNS];
+  rows base, up, down, far_up, far_down;
+  rot_store store;
+};
+
+static int open_rows(rot_fit_motion *m, rows *r) {
+  const rot_fit_motion_plan *plan = m->plan;
+  r->value = rot_store_get(&m->store, plan->n_columns * plan->n + 1, sizeof *r->value);
+  r->events = rot_store_get(&m->store, plan->n + 1, sizeof *r->events);
+  return r->value && r->events;
+}
+
+static rot_status open_memory(rot_fit_motion *m) {
+  const rot_fit_motion_plan *plan = m->plan;
+  const size_t each = (plan->n + 1) * m->rows_per_time;
+  m->input = rot_store_get(&m->store, plan->n_inputs + 1, sizeof *m->input);
+  m->time_s = rot_store_get(&m->store, plan->n + 1, sizeof *m->time_s);
+  double *columns = rot_store_get(&m->store, m->constraint->n_columns * each, sizeof *columns);
+  if (!m->input || !m->time_s || !columns) return ROT_ENOMEM;
+  for (size_t i = 0; i < m->constraint->n_columns; i++) m->column[i] = columns + i * each;
+  return open_rows(m, &m->base) && open_rows(m, &m->up) && open_rows(m, &m->down) &&
+                 open_rows(m, &m->far_up) && open_rows(m, &m->far_down)
+             ? ROT_OK
+             : ROT_ENOMEM;
+}
+
+rot_status rot_fit_motion_open(const rot_fit_motion_plan *plan, rot_fit_motion **to,
+                               rot_refusal *no) {
+  rot_fit_motion *m = calloc(1, sizeof *m);
+  *to = NULL;
+  if (!m) return ROT_ENOMEM;
+  m->plan = plan;
+  rot_status status = rot_variants_new(plan->scene, plan->n_inputs, plan->inputs, &m->variants, no);
+  if (status == ROT_OK) {
+    m->constraint = plan->scene->constraint;
+    m->rows_per_time = rot_run_rows_per_time(m->constraint, rot_variants_base(m->variants));
+    status = open_memory(m);
+  }
+  if (status == ROT_OK)
+    *to = m;
+  else
+    rot_fit_motion_close(m);
+  return status;
+}
+
+void rot_fit_motion_close(rot_fit_motion *m) {
+  if (!m) return;
+  rot_variants_free(m->variants);
+  rot_store_free(&m->store);
+  free(m);
+}
+
+const rot_constraint *rot_fit_motion_constraint(const rot_fit_motion *m) { return m->constraint; }
+const rot_model *rot_fit_motion_model(const rot_fit_motion *m) { return m->model; }
+
+/* ---- a run ----------------------------------------------------------------------------------- */
+
+static double cell(const rot_fit_motion *m, const rot_fit_column *of, size_t time) {
+  const size_t at = time * m->rows_per_time + (of->place ? of->place - 1 : 0);
+  return ((const double *)m->column[of->column])[at];
+}
+
+/* Times with the shift, the start before them: errors are relative to the motion from there on. */
+static size_t times_of(rot_fit_motion *m, const void *scene, double shift_s) {
+  const double start = m->constraint->start_s(scene);
+  const size_t first = m->plan->n && m->plan->time_s[0] + shift_s > start;
+  if (first) m->time_s[0] = start;
+  for (size_t i = 0; i < m->plan->n; i++) m->time_s[first + i] = m->plan->time_s[i] + shift_s;
+  return first;
+}
+
+static rot_status run_scene(rot_fit_motion *m, const void *scene, double shift_s, rows *to) {
+  const rot_fit_motion_plan *plan = m->plan;
+  const size_t first = times_of(m, scene, shift_s);
+  const rot_task task = {.n = plan->n + first,
+                         .time_s = m->time_s,
+                         .accuracy = plan->accuracy,
+                         .max_steps = (size_t)fmin(plan->max_steps, 1e15) + plan->n};
+  const rot_rows want = {.column = m->column, .whole = 1};
+  rot_outcome o;
+  o.events = (rot_events){0};
+  rot_status status = ROT_OK;
+  if (rot_run_rows_per_time(m->constraint, scene) != m->rows_per_time) return ROT_EVALUE;
+  if (rot_run(m->constraint, scene, NULL, &task, 0.0, &want, &o, NULL) != ROT_RUN_DONE) {
+    status = ROT_EVALUE;
+  } else {
+    status = o.info.status;
+    m->model = o.model;
+    to->error = o.error;
+  }
+  for (size_t i = 0, k = 0; i < plan->n && status == ROT_OK; i++) {
+    for (size_t c = 0; c < plan->n_columns; c++) {
+      to->value[c * plan->n + i] = cell(m, &plan->columns[c], first + i);
+    }
+    while (k < o.events.count && o.events.time_s[k] <= m->time_s[first + i]) k++;
+    to->events[i] = k;
+  }
+  rot_events_free(&o.events);
+  return status;
+}
+
+/* The motion of m->input with input j moved by h (j = n_inputs: the shift). */
+static rot_status run_moved(rot_fit_motion *m, size_t j, double h, rows *to) {
+  const size_t n = m->plan->n_inputs;
+  rot_refusal no;
+  const void *scene;
+  for (size_t i = 0; i < n; i++) rot_variants_set(m->variants, i, m->input[i] + (i == j ? h : 0.0));
+  const rot_status status = rot_variants_build(m->variants, &scene, &no);
+  return status == ROT_OK ? run_scene(m, scene, m->shift_s + (j == n ? h : 0.0), to) : status;
+}
+
+rot_status rot_fit_motion_at(rot_fit_motion *m, const double input[], double shift_s,
+                             double value[], double *error) {
+  const rot_fit_motion_plan *plan = m->plan;
+  if (plan->n_inputs) memcpy(m->input, input, plan->n_inputs * sizeof *input);
+  m->shift_s = shift_s;
+  const rot_status status = run_moved(m, plan->n_inputs + 1, 0.0, &m->base);
+  if (status != ROT_OK) return status;
+  memcpy(value, m->base.value, plan->n_columns * plan->n * sizeof *value);
+  if (error) *error = m->base.error;
+  return ROT_OK;
+}
+
+/* ---- derivatives ----------------------------------------------------------------------------- */
+
+/* The largest change of a column from the base, as a share of its largest size. */
+static double change_of(const rot_fit_motion *m, const rows *moved) {
+  const size_t n = m->plan->n;
+  double largest = 0.0;
+  for (size_t c = 0; c < m->plan->n_columns; c++) {
+    double size = 0.0, change = 0.0;
+    for (size_t i = 0; i < n; i++) {
+      const size_t at = c * n + i;
+      if (moved->events[i] != m->base.events[i]) continue;
+      size = fmax(size, fmax(fabs(m->base.value[at]), fabs(moved->value[at])));
+      change = fmax(change, fabs(moved->value[at] - m->base.value[at]));
+    }
+    if (size > 0.0) largest = fmax(largest, change / size);
+  }
+  return largest;
+}
+
+/* A step that x + h and x - h represent, within the domain: the side with more room if both are not
+ * inside. */
+static double step_in(double x, double h, double low, double high) {
+  if (x + h > high || x - h < low) {
+    const double up = high - x, down = x - low;
+    if (up >= down) return fmin(h, 0.25 * up);
+    return -fmin(h, 0.25 * down);
+  }
+  const volatile double beyond = x + h;
+  return beyond - x;
+}
+
+/* Differences of the third order of smallness where both sides have the events of the base, of the
+ * second where one side alone has them. */
+static void differences(const rot_fit_motion *m, double h, const rows *up, const rows *down,
+                        const rows *far_up, const rows *far_down, double slope[]) {
+  const size_t n = m->plan->n;
+  for (size_t i = 0; i < n; i++) {
+    const size_t k = m->base.events[i];
+    const int above = up && up->events[i] == k, below = down && down->events[i] == k;
+    for (size_t c = 0; c < m->plan->n_columns; c++) {
+      const size_t at = c * n + i;
+      const double x = m->base.value[at];
+      if (above == below && up && down) {
+        slope[at] = (up->value[at] - down->value[at]) / (2.0 * h);
+      } else if (above || !below) {
+        const rows *one = up ? up : down, *two = up ? far_up : far_down;
+        const double s = up ? h : -h;
+        slope[at] = two && two->events[i] == k
+                        ? (4.0 * one->value[at] - 3.0 * x - two->value[at]) / (2.0 * s)
+                        : (one->value[at] - x) / s;
+      } else {
+        slope[at] = far_down && far_down->events[i] == k
+                        ? (3.0 * x - 4.0 * down->value[at] + far_down->value[at]) / (2.0 * h)
+                        : (x - down->value[at]) / h;
+      }
+    }
+  }
+}
+
+/* Some sample has the events of the base on one side of it alone. */
+static int one_sided(const rot_fit_motion *m, const rows *here, const rows *there) {
+  for (size_t i = 0; i < m->plan->n; i++) {
+    const size_t k = m->base.events[i];
+    if (here->events[i] == k && there->events[i] != k) return 1;
+  }
+  return 0;
+}
+
+/* The step moves the motion by the cube root of its error: then the rounding error of a central
+ * difference is as large as what it leaves out. */
+static rot_status find_step(rot_fit_motion *m, size_t j, double low, double high, double *h) {
+  const double x = j < m->plan->n_inputs ? m->input[j] : m->shift_s;
+  const double error = fmax(m->base.error, 4.0 * DBL_EPSILON), target = cbrt(error);
+  double size = *h > 0.0 ? *h : fmax(target * fabs(x), 1e-9);
+  for (int round = 0; round < 40; round++) {
+    const double step = step_in(x, size, low, high);
+    rot_status status = step != 0.0 ? run_moved(m, j, step, &m->up) : ROT_EVALUE;
+    if (status != ROT_OK) {
+      size *= 0.1;
+      if (size < DBL_EPSILON * fabs(x) + DBL_MIN) return status;
+      continue;
+    }
+    const double change = change_of(m, &m->up);
+    *h = size;
+    if (change > 0.2 * target && change < 5.0 * target) return ROT_OK;
+    if (change == 0.0 && size > 1e6 * fmax(fabs(x), 1.0)) return ROT_OK; /* it has no effect */
+    if (fabs(step) < size && change < target) return ROT_OK;             /* the domain ends */
+    const double factor = change > 0.0 ? target / change : 1e3;
+    size *= fmin(fmax(factor, 1e-3), 1e3);
+  }
+  return ROT_OK;
+}
+
+rot_status rot_fit_motion_slope(rot_fit_motion *m, size_t j, double low, double high, double *size,
+                                double slope[]) {
+  const double x = j < m->plan->n_inputs ? m->input[j] : m->shift_s;
+  rot_status status = find_step(m, j, low, high, size);
+  if (status != ROT_OK) return status;
+  const double step = step_in(x, *size, low, high), h = fabs(step);
+  const int both = x + h <= high && x - h >= low;
+  if (!both) { /* at the edge of the domain: one side */
+    status = run_moved(m, j, step, &m->up);
+    if (status == ROT_OK) status = run_moved(m, j, 2.0 * step, &m->far_up);
+    if (status == ROT_OK) differences(m, step, &m->up, NULL, &m->far_up, NULL, slope);
+    return status;
+  }
+  status = run_moved(m, j, h, &m->up);
+  if (status == ROT_OK) status = run_moved(m, j, -h, &m->down);
+  if (status != ROT_OK) return status;
+  const int up = one_sided(m, &m->up, &m->down), down = one_sided(m, &m->down, &m->up);
+  const int has_up = up && run_moved(m, j, 2.0 * h, &m->far_up) == ROT_OK;
+  const int has_down = down && run_moved(m, j, -2.0 * h, &m->far_down) == ROT_OK;
+  differences(m, h, &m->up, &m->down, has_up ? &m->far_up : NULL, has_down ? &m->far_down : NULL,
+              slope);
+  return ROT_OK;
+}

@@ -1,0 +1,195 @@
+# Fits of scenes to records whose truth is known.
+
+noisy <- function(x, sigma, seed) {
+  set.seed(seed)
+  x + stats::rnorm(length(x), 0, sigma)
+}
+
+# Motion of a scene as a record of some columns.
+film_of <- function(scene, time_s, columns, sigma = 0, seed = 1) {
+  motion <- trajectory(scene, time_s)
+  out <- list(time_s = time_s)
+  for (k in seq_along(columns)) out[[columns[k]]] <- noisy(motion[[columns[k]]], sigma, seed + k)
+  as.data.frame(out)
+}
+
+bowling <- function(friction, v0) {
+  scene_incline(body_sphere(6, 0.108), 0, static_friction = friction, v0_m_per_s = v0,
+                omega0_rad_per_s = 0)
+}
+
+test_that("a ball that slips, then rolls", {
+  film <- film_of(bowling(0.12, 8), 0:90 / 30, "x_m", 0.01)
+  fit <- fit_scene(bowling(0.2, 7), film, c("static_friction", "v0_m_per_s"))
+  expect_s3_class(fit, c("rot_fit", "tbl_df"), exact = FALSE)
+  expect_identical(fit$unknown, c("static_friction", "v0_m_per_s"))
+  expect_true(all(abs(fit$value - c(0.12, 8)) < 3 * fit$standard_error))
+  expect_true(all(fit$lower < c(0.12, 8) & fit$upper > c(0.12, 8)))
+  expect_identical(fit$status, rep("determined", 2))
+  # An exact record comes back, from another start.
+  exact <- film_of(bowling(0.12, 8), 0:90 / 30, "x_m")
+  again <- fit_scene(bowling(0.05, 12), exact, c("static_friction", "v0_m_per_s"))
+  expect_equal(again$value, c(0.12, 8), tolerance = 1e-9)
+  # What follows from the fit.
+  expect_equal(as_scene(fit)$static_friction, fit$value[1])
+  rows <- augment(fit)
+  expect_equal(rows$measured, film$x_m)
+  expect_equal(rows$fitted + rows$residual, rows$measured)
+  expect_equal(predict(fit, 2)$x_m, trajectory(as_scene(fit), c(0, 2))$x_m[2])
+  expect_equal(stats::sd(rows$residual), 0.01, tolerance = 0.2)
+  expect_equal(sqrt(diag(vcov(fit))), stats::setNames(fit$standard_error, fit$unknown))
+  expect_equal(unname(coef(fit)), fit$value)
+  expect_identical(unname(confint(fit)[, "lower"]), fit$lower)
+  info <- glance(fit)
+  expect_identical(info$samples, 91)
+  expect_identical(info$dof, 89)
+  expect_true(info$converged)
+  expect_output(print(fit), "static_friction +0.1[12].*noise of x_m: 0.0")
+})
+
+test_that("standard errors are those of linear regression where the motion is linear", {
+  wheel <- scene_axle(0.5, omega0_rad_per_s = 3, theta0_rad = 1)
+  film <- film_of(wheel, seq(0, 5, by = 0.1), "theta_rad", 0.05)
+  fit <- fit_scene(scene_axle(0.5, omega0_rad_per_s = 2, theta0_rad = 0.1), film,
+                   c("theta0_rad", "omega0_rad_per_s"), noise = "white")
+  line <- stats::lm(theta_rad ~ time_s, film)
+  expect_equal(fit$value, unname(stats::coef(line)), tolerance = 1e-9)
+  expect_equal(fit$standard_error, unname(summary(line)$coefficients[, 2]), tolerance = 1e-6)
+  expect_equal(fit$lower, unname(stats::confint(line)[, 1]), tolerance = 1e-6)
+  expect_equal(vcov(fit), stats::vcov(line), ignore_attr = TRUE, tolerance = 1e-6)
+})
+
+test_that("a thrown body: moments of inertia only as their ratios", {
+  phone <- scene_free(c(1, 2, 2.4), c(0.1, 5, 0.2))
+  rates <- paste0("omega_", c("x", "y", "z"), "_rad_per_s")
+  toss <- film_of(phone, seq(0, 4, by = 0.02), rates, 0.02)
+  guess <- scene_free(c(1, 1.8, 2.2), c(0.12, 4.8, 0.15))
+  spins <- sprintf("omega0_rad_per_s[%d]", 1:3)
+  fit <- fit_scene(guess, toss, c("body[2]", "body[3]", spins))
+  truth <- c(2, 2.4, 0.1, 5, 0.2)
+  expect_true(all(abs(fit$value - truth) < 4 * fit$standard_error))
+  expect_true(all(fit$standard_error < 0.02))
+  expect_identical(glance(fit)$samples, 603)
+  all <- fit_scene(guess, toss, c("body[1]", "body[2]", "body[3]", spins))
+  expect_identical(all$status, rep(c("not determined", "determined"), c(3, 3)))
+  expect_true(all(is.nan(all$standard_error[1:3]) & is.nan(all$lower[1:3])))
+  expect_equal(all$value[2] / all$value[1], fit$value[1], tolerance = 1e-3)
+  expect_output(print(all), "body[1], body[2], body[3]: only their ratios", fixed = TRUE)
+})
+
+test_that("several records share what is not per record; offset, factor, clock, prior", {
+  wheel <- function(speed, friction = 0.5, start_s = 0) {
+    scene_axle(1, resistance = resistance(coulomb_n_m = friction), omega0_rad_per_s = speed)
+  }
+  films <- list(
+    fast = film_of(wheel(3), seq(0, 8, by = 0.1), "theta_rad", 0.01, 1),
+    slow = film_of(wheel(2), seq(0, 5, by = 0.1), "theta_rad", 0.01, 2)
+  )
+  fit <- fit_scene(wheel(2.5, 0.4), films, c("resistance$coulomb_n_m", "omega0_rad_per_s"),
+                   per_record = "omega0_rad_per_s", offset = "theta_rad")
+  expect_identical(fit$unknown, c("resistance$coulomb_n_m", rep("omega0_rad_per_s", 2),
+                                  "offset of theta_rad"))
+  expect_identical(fit$record, c(NA, "fast", "slow", NA))
+  expect_true(all(abs(fit$value - c(0.5, 3, 2, 0)) < 4 * fit$standard_error))
+  expect_equal(as_scene(fit, record = 2)$omega0_rad_per_s, fit$value[3])
+  expect_identical(fit$unit[4], "rad")
+  # The clock of a film that began later.
+  late <- films$fast
+  late$time_s <- late$time_s - 0.5
+  late <- late[late$time_s >= 0, ]
+  timed <- fit_scene(wheel(2.5, 0.4), late, "resistance$coulomb_n_m", clock = TRUE,
+                     prior = list("clock of time_s" = measured(0.5, 0.2)))
+  expect_identical(timed$unknown[2], "clock of time_s")
+  # A known quantity: with a tight prior the value is the prior's.
+  told <- fit_scene(wheel(2.5, 0.4), films$fast, c("body", "resistance$coulomb_n_m",
+                    "omega0_rad_per_s"), prior = list(body = measured(1.2, 0.01)))
+  expect_equal(told$value[1], 1.2, tolerance = 1e-6)
+  expect_equal(told$standard_error[1], 0.01, tolerance = 0.1)
+  expect_equal(told$value[2] / told$value[1], 0.5, tolerance = 0.01)
+})
+
+test_that("an unknown at the edge of its domain has a one-sided interval", {
+  wheel <- scene_axle(1, resistance = resistance(0, 0, 0.5), omega0_rad_per_s = 3)
+  film <- film_of(wheel, seq(0, 8, by = 0.05), "theta_rad", 0.01, 5)
+  guess <- scene_axle(1, resistance = resistance(0, 0.01, 0.4), omega0_rad_per_s = 2.5)
+  unknown <- c("resistance$quadratic_n_m_s2", "resistance$coulomb_n_m", "omega0_rad_per_s")
+  held <- 0
+  for (seed in 1:8) {
+    film$theta_rad <- noisy(trajectory(wheel, film$time_s)$theta_rad, 0.01, seed)
+    fit <- fit_scene(guess, film, unknown)
+    if (fit$status[1] == "at its lower limit") {
+      held <- held + 1
+      expect_identical(fit$value[1], 0)
+      expect_identical(fit$lower[1], 0)
+      expect_true(fit$upper[1] > 0 && fit$upper[1] < 0.02)
+      expect_true(is.nan(fit$standard_error[1]))
+    } else {
+      expect_lt(fit$lower[1], 0.01)
+    }
+  }
+  expect_gt(held, 0)
+  expect_lt(held, 8)
+})
+
+test_that("what cannot be fitted is said before", {
+  film <- film_of(bowling(0.12, 8), 0:90 / 30, "x_m", 0.01)
+  fit <- function(...) fit_scene(bowling(0.2, 7), film, ...)
+  expect_error(fit("mass"), class = "rotdyn_error_argument")
+  expect_error(fit(c("v0_m_per_s", "v0_m_per_s")), "twice", class = "rotdyn_error_argument")
+  expect_error(fit(c("v0_m_per_s", "body$mass_kg")), "no effect", class = "rotdyn_error_value")
+  expect_error(fit(1), class = "rotdyn_error_type")
+  expect_error(fit("v0_m_per_s", per_record = "x0_m"), class = "rotdyn_error_argument")
+  expect_error(fit("v0_m_per_s", observed = "theta"), class = "rotdyn_error_argument")
+  expect_error(fit("v0_m_per_s", offset = "theta_rad"), class = "rotdyn_error_argument")
+  expect_error(fit("v0_m_per_s", prior = list(x0_m = measured(1, 0.1))),
+               class = "rotdyn_error_argument")
+  expect_error(fit("v0_m_per_s", level = 1), class = "rotdyn_error_value")
+  few <- film[1:2, ]
+  expect_error(fit_scene(bowling(0.2, 7), few, c("v0_m_per_s", "static_friction")),
+               class = "rotdyn_error_size")
+  early <- film
+  early$time_s <- early$time_s - 1
+  expect_error(fit_scene(bowling(0.2, 7), early, "v0_m_per_s"), "begins before",
+               class = "rotdyn_error_value")
+  expect_error(fit_scene(bowling(0.2, 7), film["time_s"], "v0_m_per_s"), "no column",
+               class = "rotdyn_error_argument")
+  expect_error(fit_scene(bowling(0.2, 7), film["x_m"], "v0_m_per_s"),
+               class = "rotdyn_error_missing")
+  pushed <- scene_axle(1, function(time_s) 0 * time_s)
+  expect_error(fit_scene(pushed, film, "body"), "R functions", class = "rotdyn_error_value")
+  expect_error(as_scene(fit("v0_m_per_s"), record = 2), class = "rotdyn_error_value")
+})
+
+test_that("further starts find a second minimum", {
+  pendulum <- function(length) scene_pendulum(body_point(1), length, theta0_rad = 0.3)
+  film <- film_of(pendulum(1), seq(0, 20, by = 0.1), "theta_rad", 0.01)
+  # Cycles away from the truth the sum of squares has other minima.
+  lost <- suppressWarnings(fit_scene(pendulum(2.4), film, "distance_m"))
+  expect_gt(abs(lost$value - 1), 0.1)
+  found <- suppressWarnings(fit_scene(pendulum(2.4), film, "distance_m", starts = 30))
+  expect_equal(found$value, 1, tolerance = 1e-3)
+})
+
+test_that("profiles are straight where the problem is linear", {
+  wheel <- scene_axle(0.5, omega0_rad_per_s = 3, theta0_rad = 1)
+  film <- film_of(wheel, seq(0, 5, by = 0.1), "theta_rad", 0.05)
+  fit <- fit_scene(wheel, film, c("theta0_rad", "omega0_rad_per_s"), noise = "white")
+  rows <- profile(fit)
+  expect_identical(nrow(rows), 22L)
+  expect_equal(rows$rooted, rows$linear, tolerance = 1e-3)
+  one <- profile(fit, "omega0_rad_per_s", points = 2)
+  expect_equal(one$value, fit$value[2] + one$linear * fit$standard_error[2])
+  expect_error(profile(fit, "body"), class = "rotdyn_error_argument")
+})
+
+test_that("pictures show the record, the motion and what is left over", {
+  skip_if_not_installed("ggplot2")
+  film <- film_of(bowling(0.12, 8), 0:30 / 10, c("x_m", "v_m_per_s"), 0.01)
+  fit <- fit_scene(bowling(0.2, 7), list(film, film), c("static_friction", "v0_m_per_s"))
+  picture <- ggplot2::autoplot(fit)
+  layers <- ggplot2::ggplot_build(picture)
+  expect_identical(length(unique(layers$data[[2]]$PANEL)), 4L)
+  expect_identical(nrow(layers$data[[2]]), 2L * 2L * 2L * 31L)
+  expect_match(picture$labels$alt, "x_m, v_m_per_s")
+  expect_equal(range(layers$data[[3]]$x), c(0, 3))
+})
