@@ -157,8 +157,12 @@ print.rot_fit <- function(x, ...) {
                   }, ""))
   unit <- ifelse(is.na(x$unit) | x$unit == "1", "", x$unit)
   name <- ifelse(is.na(x$record), x$unknown, paste0(x$unknown, " (", x$record, ")"))
+  # As many digits as show the width.
+  digits <- ceiling(log10(pmax(abs(x$lower), abs(x$upper)) / (x$upper - x$lower))) + 2
+  digits <- ifelse(is.finite(digits), pmin(pmax(digits, 2), 15), 4)
+  ends <- function(y) vapply(seq_along(y), function(i) format(y[i], digits = digits[i]), "")
   interval <- ifelse(is.nan(x$lower) & is.nan(x$upper), "", paste0(
-    "[", format_each(signif(x$lower, 4)), ", ", format_each(signif(x$upper, 4)), "]"
+    "[", ends(x$lower), ", ", ends(x$upper), "]"
   ))
   status <- ifelse(x$status == "determined", "", x$status)
   lines <- paste0("  ", format(name), "  ", format(value), "  ", format(unit), "  ",

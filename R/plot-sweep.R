@@ -166,6 +166,15 @@ rows_in_words <- function(object) {
   if (nrow(object) < plan$n) paste("the", count_in_words(nrow(object)), "rows at hand")
 }
 
+# Why there is nothing to draw, by the statuses of the rows.
+abort_no_numbers <- function(object, call) {
+  status <- attr(summary.rot_sweep(object), "about")$status
+  abort_rotdyn(c(
+    "No row has a finite number.",
+    x = "Rows by status: {paste0(names(status), ' ', count_in_words(status), collapse = ', ')}."
+  ), "value", call)
+}
+
 # A panel for each label; one alone has its label at the axis.
 sweep_facets <- function(labels, base_size, scales, ncol) {
   if (length(labels) < 2L) return(ggplot2::theme(strip.text = ggplot2::element_blank()))
@@ -194,7 +203,7 @@ plot_sweep_histogram <- function(object, x, panels, base_size, call) {
     if (!is.null(bins)) cbind(bins, panel = factor(labels[i], labels))
   })
   data <- do.call(rbind, bins)
-  if (is.null(data)) abort_rotdyn("No row has a finite number.", "value", call)
+  if (is.null(data)) abort_no_numbers(object, call)
   marks <- data.frame(
     across = c(middle), panel = factor(rep(labels, 3L), labels),
     quantile = rep(c("limit", "median", "limit"), each = length(panels))
@@ -339,7 +348,7 @@ plot_sweep_lines <- function(object, x, panels, base_size, call) {
     cbind(rows, panel = factor(rep(labels[i], nrow(rows)), labels))
   }))
   long <- long[is.finite(long$p50), ]
-  if (!nrow(long)) abort_rotdyn("No row has a finite number.", "value", call)
+  if (!nrow(long)) abort_no_numbers(object, call)
   colours <- stats::setNames(
     c(line_colours(length(keys)), plot_colours[1]), c(keys, no_name)
   )
@@ -434,7 +443,7 @@ plot_sweep_map <- function(object, x, panels, base_size, call) {
   if (anyDuplicated(data[c("across", "up", "panel")]) || nlevels(data$panel) > 9L) {
     abort_no_grid(call)
   }
-  if (all(is.na(data$value))) abort_rotdyn("No row has a finite number.", "value", call)
+  if (all(is.na(data$value))) abort_no_numbers(object, call)
   axes <- list(map_axis(data$across), map_axis(data$up))
   labels <- unname(vapply(c(x[1:2], name), sweep_label, "", plan))
   missing <- sum(is.na(data$value))

@@ -220,3 +220,15 @@ test_that("laws with units are those of SI", {
     class = "rotdyn_error_unit"
   )
 })
+
+test_that("a sweep without numbers says why", {
+  wheel <- scene_axle(0.1, resistance = resistance(coulomb_n_m = 0.01, static_n_m = 0.02),
+                      omega0_rad_per_s = 3)
+  plan <- sweep_plan(wheel, 5, design_list(data.frame(
+    "resistance$static_n_m" = c(0.02, 0.005, 0.006), check.names = FALSE
+  )))
+  plan$design <- design_list(data.frame(
+    "resistance$static_n_m" = c(0.001, 0.005, 0.006), check.names = FALSE
+  ))
+  expect_error(ggplot2::autoplot(sweep_run(plan)), "value 3", class = "rotdyn_error_value")
+})
