@@ -280,13 +280,14 @@ runout_p <- function(run) {
 #'
 #' `as_scene()` turns a fit into the scene whose [trajectory()] is the fitted motion.
 #'
-#' @param x A [fit_coast_down()] or a [fit_swing()].
+#' @param x A [fit_scene()], a [fit_coast_down()] or a [fit_swing()].
 #' @param ... Not used: an unknown argument is an error.
 #' @param run Number or name of the run whose start the scene has.
 #' @param inertia Of a swing: moment of inertia about the axle in kg m^2, a number or [measured()];
 #'   a swing determines torques over it only.
-#' @return A [scene_axle()]. Without an inertia its moment is 1 kg m^2, and the losses are those
-#'   over the inertia. It begins at the run's first sample; where a weight was unwound, at its end.
+#' @param record Of a [fit_scene()]: number of the record whose own unknowns the scene has.
+#' @return Of a [fit_scene()] its scene with the fitted inputs, else a [scene_axle()]. Without an
+#'   inertia its moment is 1 kg m^2, and the losses are those over the inertia. It begins at the run's first sample; where a weight was unwound, at its end.
 #'   Of a swing: with the torque of a spring or of gravity, from the first sample of the interval
 #'   fitted; angles are from the centre, without the sensor's offset.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_value`.
@@ -306,8 +307,8 @@ as_scene <- function(x, ...) {
 #' @export
 as_scene.default <- function(x, ...) {
   check_class(
-    x, "rot_coast_fit", "x", "Make one with {.fn fit_coast_down} or {.fn fit_swing}.",
-    rlang::current_env()
+    x, "rot_coast_fit", "x",
+    "Make one with {.fn fit_scene}, {.fn fit_coast_down} or {.fn fit_swing}.", rlang::current_env()
   )
 }
 

@@ -110,6 +110,10 @@ classes <- alist(
   rot_record = motion_record(swing, time_s = time_s, theta_rad = theta_rad),
   rot_estimate = estimate_motion(filmed, inertia = disk),
   rot_coast_fit = fit_coast_down(coast, inertia = 0.0625),
+  rot_fit = fit_scene(
+    scene_axle(0.0625, resistance = resistance(0.006, 0, 0.05), omega0_rad_per_s = 20), coast,
+    c("resistance$coulomb_n_m", "resistance$viscous_n_m_s", "omega0_rad_per_s")
+  ),
   rot_swing_fit = fit_swing(motion_record(swing, time_s = time_s, theta_rad = theta_rad)),
   rot_pooled_periods = pool_periods(timed$time_s, swings = 10, group = timed$who),
   rot_uncertainty_budget = uncertainty_budget(

@@ -188,6 +188,8 @@ others <- function() {
          "y = 0.0100"),
     list(fit_coast_down(motion_record(coast, "time_s", "theta_rad"), inertia = 0.1), "viscous"),
     list(fit_swing(motion_record(swing, "time_s", "theta_rad")), "period"),
+    list(fit_scene(scene_axle(0.1, resistance = resistance(0, 0, 0.05), omega0_rad_per_s = 9),
+                   coast, "omega0_rad_per_s"), "omega0_rad_per_s .* rad/s"),
     list(falling_weight(0.1, 0.02), "0.1 kg"), list(rolling_table(), "beta"),
     list(vary_normal(2, 0.02), "normal, mean 2, sd 0.02"),
     list(design_sobol(2^30, mass_kg = vary_uniform(1, 2)), "1,073,741,824 rows(.|\n)*uniform")
