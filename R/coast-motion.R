@@ -287,7 +287,8 @@ runout_p <- function(run) {
 #'   a swing determines torques over it only.
 #' @param record Of a [fit_scene()]: number of the record whose own unknowns the scene has.
 #' @return Of a [fit_scene()] its scene with the fitted inputs, else a [scene_axle()]. Without an
-#'   inertia its moment is 1 kg m^2, and the losses are those over the inertia. It begins at the run's first sample; where a weight was unwound, at its end.
+#'   inertia its moment is 1 kg m^2, and the losses are those over the inertia. It begins at the
+#'   run's first sample; where a weight was unwound, at its end.
 #'   Of a swing: with the torque of a spring or of gravity, from the first sample of the interval
 #'   fitted; angles are from the centre, without the sensor's offset.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_value`.
