@@ -29,10 +29,10 @@ typedef struct rot_batch {
   rot_status (*run)(const void *scene, const rot_batch_rows *rows);
 } rot_batch;
 
-/* => the column of the rows, or the number of the scene */
-static inline rot_column rot_batch_input(const rot_batch_rows *rows, size_t k,
+/* => the column of the batch, or the number of the scene */
+static inline rot_column rot_batch_input(const rot_batch_rows *batch, size_t k,
                                          const double *of_scene) {
-  return rows->input[k].values ? rows->input[k] : (rot_column){of_scene, 0};
+  return batch->input[k].values ? batch->input[k] : (rot_column){of_scene, 0};
 }
 
 #endif

@@ -266,6 +266,7 @@ static void blocks(void) {
   rot_object *scene = wheel();
   rot_vary law[2];
   rot_sweep s = {.bound = bound, .threads = 1, .table = 1};
+  rot_store store = {0};
   for (int k = 0; k < 2; k++) {
     law[k] = (rot_vary){.kind = ROT_VARY_UNIFORM, .low = -HUGE_VAL, .high = HUGE_VAL};
     law[k].p[0] = k ? -3.0 : -0.01; /* moments of inertia below 0 are refused */
@@ -274,7 +275,7 @@ static void blocks(void) {
   s.plan = (rot_row_plan){scene, 2, input, 1, &end_s, "axle_linear", 0, 1e-9, 1e6, 2, output};
   s.design = (rot_design){
       .kind = ROT_DESIGN_RANDOM, .points = N, .n_inputs = 2, .input = law, .seeded = 1, .seed = 7};
-  ROT_CHECK(rot_design_begin(&s.design, &(rot_store){0}) == ROT_OK);
+  ROT_CHECK(rot_design_begin(&s.design, &store) == ROT_OK);
   for (size_t p = 0; p < 2 * sizeof parts / sizeof *parts; p++) {
     const int at = p > 0;
     double *column[4] = {number[at][0], number[at][1], number[at][2], number[at][3]};
@@ -294,6 +295,7 @@ static void blocks(void) {
     if (found[0][i] != ROT_OK) ROT_CHECK(found[0][i] == ROT_EVALUE && isnan(number[0][2][i]));
   }
   ROT_CHECK(refused > 2 && refused < 40); /* 0.01 of 3.01 */
+  rot_store_free(&store);
   rot_object_free(scene);
 }
 
