@@ -21,13 +21,14 @@ static inline uint64_t reversed(uint64_t x) {
  * is nested, as each of its steps is. The first term and the first odd factor alone, of 64 random
  * bits each, give any two points the joint distribution of Owen's scrambling, so means have its
  * variance; the other steps bring sums of many points near the normal law. */
+static inline uint64_t one_round(const rot_sobol *s, int i, uint64_t x) {
+  x = (x + s->add[i]) * s->odd[i];
+  return x ^ x * s->even[i];
+}
+
+/* ROT_SOBOL_ROUNDS of them, written out: a loop takes a quarter longer. */
 static inline uint64_t scramble(const rot_sobol *s, uint64_t x) {
-  for (int i = 0; i < ROT_SOBOL_ROUNDS; i++) {
-    x += s->add[i];
-    x *= s->odd[i];
-    x ^= x * s->even[i];
-  }
-  return x;
+  return one_round(s, 2, one_round(s, 1, one_round(s, 0, x)));
 }
 
 /* bits of a coordinate => coordinate in (0, 1): 52 bits behind the 1 of a number in [1, 2) */
@@ -36,7 +37,7 @@ static inline double coordinate(uint64_t bits) {
   bits = bits >> 12 | 0x3FF0000000000000u;
   memcpy(&x, &bits, sizeof x);
   x -= 1.0;
-  return x > 0.0 ? x : 0x1p-53;
+  return x > 0x1p-53 ? x : 0x1p-53; /* one instruction */
 }
 
 /* Direction numbers of a dimension, as bits of the coordinate times 2^64. */
