@@ -418,6 +418,7 @@ test_that("bad arguments are errors", {
   error(animate_motion(roll_race()[1:3, c("time_s", "x_m")]), "type")
   error(animate_motion(roll_race(time_s = 1)), "time")
   error(animate_motion(motion, "a.avi"), "value")
+  skip_if_not_installed("ggplot2")
   error(autoplot.rot_animation(animate_motion(motion), time_s = NA), "type")
   error(animate_motion(motion, 1), "type")
   error(animate_motion(motion, "a.gif", 25), "argument")

@@ -621,6 +621,7 @@ test_that("an efficiency of 1 computes as none, and others are refused", {
     "coupling_shaft", class = "rotdyn_error_value"
   )
   lossy <- geared_pair(list(1, 0))
+  skip_if_not_installed("yyjsonr")
   expect_identical(read_scene(write_scene(lossy)), lossy)
   expect_output(print(lossy), "gear, ratio 3, efficiency 0.8", fixed = TRUE)
   expect_false(conserved(geared_pair(NULL, omega0 = 1))$conserved[1])

@@ -128,6 +128,7 @@ test_that("verbs work on rows of several links, and texts come back", {
   expect_equal(again$theta_rad[3:4], motion$theta_rad[3:4], tolerance = 1e-7)
   down <- time_when(chain, theta_rad = 0, link = 1)
   expect_equal(predict(motion, down$time_s)$theta_rad[1], 0, tolerance = 1e-7)
+  skip_if_not_installed("yyjsonr")
   expect_identical(read_scene(write_scene(chain)), chain)
   expect_snapshot(error = TRUE, {
     scene_chain(c(1, 1), c(1, 2, 3), 0)

@@ -19,6 +19,7 @@ test_that("a clutch keeps what it was given, and what follows from it", {
   expect_identical(scene$moment_of_inertia_kg_m2, c(20 * 0.15^2 / 2, 2))
   expect_identical(scene$static_capacity_n_m, 60)
   expect_null(scene$torque_1)
+  skip_if_not_installed("yyjsonr")
   expect_identical(read_scene(write_scene(scene)), scene)
   # A rod about its end, wherever that is; a point about its axis.
   rod <- scene_clutch(body_rod_end(3, 2), place_body(body_rod_end(3, 2), c(1, 0, 0)), 1)
