@@ -552,6 +552,7 @@ test_that("event rows are for every scene", {
   expect_identical(motion$time_s, c(0, 2, 2.5, 4))
   expect_identical(motion$event, c(NA, NA, "stick", NA))
   expect_equal(motion$theta_rad[3:4], rep(5 * 2.5 / 2, 2), tolerance = 1e-14)
+  skip_if_not_installed("dplyr")
   expect_identical(
     dplyr::select(motion, -event)[-3, ], tibble::as_tibble(trajectory(wheel, c(0, 2, 4))),
     ignore_attr = TRUE

@@ -63,6 +63,7 @@ test_that("with a moment of inertia the last panel is a torque; runs are chosen"
 })
 
 test_that("a falling weight is drawn with its torque, what is fitted is said", {
+  skip_if_not_installed("ggplot2")
   plot <- ggplot2::autoplot(falling_weight(0.5, 0.02, until_s = 3, gravity_m_per_s2 = 10))
   expect_match(plot$labels$alt, "weight 5 N; torque, at most 0.1 N m; pulls until 3 s")
   expect_match(
