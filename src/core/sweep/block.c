@@ -12,7 +12,7 @@ typedef struct frame {
 
 enum { MAX_INPUTS = 64 };
 
-/* Row i by itself. `opened`: whether there is a worker. */
+/* Row i alone. The worker is there if `opened` is ROT_OK. */
 static void run_row(const frame *f, rot_rows_worker *worker, rot_status opened, size_t i) {
   const rot_row_plan *plan = &f->sweep->plan;
   double input[MAX_INPUTS], output[MAX_INPUTS];
