@@ -190,12 +190,11 @@ noise_table <- function(fit) {
   noise <- matrix(fit$found$noise, 5L)
   records <- fit$about$records
   column <- unlist(lapply(records, function(r) names(r$series)))
-  table <- column_table()
   data.frame(
     record = rep(vapply(records, `[[`, "", "name"), vapply(records, function(r) {
       length(r$series)
     }, 0L)),
-    column = column, unit = table$unit[match(sub("\\[[0-9]+\\]$", "", column), table$name)],
+    column = column, unit = unit_of_column(column),
     n = noise[1L, ], sigma = noise[2L, ], tau_s = noise[3L, ], white = noise[4L, ],
     at_cap = noise[5L, ] > 0
   )
@@ -275,7 +274,14 @@ vcov.rot_fit <- function(object, ...) {
 
 #' @export
 confint.rot_fit <- function(object, parm = NULL, level = NULL, ...) {
-  fit_of(object, rlang::current_env(), "object")
+  call <- check_no_dots(...)
+  fit <- fit_of(object, call, "object")
+  if (!is.null(level) && !isTRUE(all.equal(level, fit$about$level))) {
+    abort_rotdyn(c(
+      "The intervals of this fit have the level {fit$about$level}.",
+      i = "Another one is an argument of {.fn fit_scene}: {.code level = {level}}."
+    ), "argument", call)
+  }
   out <- cbind(lower = object$lower, upper = object$upper)
   rownames(out) <- attr(object, "fit")$about$parameters$name
   if (is.null(parm)) out else out[parm, , drop = FALSE]

@@ -183,14 +183,13 @@ fit_records <- function(records, scene, observed, call) {
         i = "The motion has {.field {known}}."
       ), "argument", call)
     }
-    time_s <- check_real(one$time_s, "time_s", call)
+    time_s <- check_finite(one$time_s, "time_s", "s", call)
     segment <- if ("segment" %in% names(one)) one$segment else rep(1, nrow(one))
     parts <- split(seq_along(time_s), segment)
     for (k in seq_along(parts)) {
       rows <- parts[[k]][order(time_s[parts[[k]]])]
       series <- lapply(stats::setNames(wanted, wanted), function(name) {
-        y <- as.double(one[[name]])[rows]
-        replace(y, !is.finite(y), NaN)
+        observed_numbers(one[[name]], name, call)[rows]
       })
       label <- if (nzchar(labels[i])) labels[i] else as.character(i)
       out[[length(out) + 1L]] <- list(
@@ -212,11 +211,21 @@ fit_records <- function(records, scene, observed, call) {
   out
 }
 
-check_real <- function(x, arg, call) {
-  if (!is.numeric(x) || any(!is.finite(x))) {
-    abort_rotdyn("{.field {arg}} must be finite numbers.", "value", call)
+# A measured column in SI units; NaN: not measured.
+observed_numbers <- function(x, name, call) {
+  if (inherits(x, "units")) x <- as_si(x, unit_of_column(name), name, call)
+  if (!is.numeric(x) || is.object(x)) {
+    abort_rotdyn(c(
+      "The column {.field {name}} of a record must be numbers.", x = "It is {describe_value(x)}."
+    ), "type", call)
   }
-  as.double(x)
+  replace(as.double(x), !is.finite(x), NaN)
+}
+
+# Of a column of a motion, by the dictionary.
+unit_of_column <- function(name) {
+  table <- column_table()
+  table$unit[match(sub("\\[[0-9]+\\]$", "", name), table$name)]
 }
 
 # The columns of a scene's motion that are numbers.
@@ -272,11 +281,7 @@ fit_problem <- function(about, call) {
     at <- which(p$kind == kind & p$of == of & p$record %in% c(0L, r))
     if (length(at)) at[1] - 1 else -1
   }
-  unit <- function(name) {
-    table <- column_table()
-    table$unit[match(sub("\\[[0-9]+\\]$", "", name), table$name)]
-  }
-  p$unit[p$kind == "offset"] <- unit(p$of[p$kind == "offset"])
+  p$unit[p$kind == "offset"] <- unit_of_column(p$of[p$kind == "offset"])
   p$unit[p$kind == "factor"] <- "1"
   p$unit[p$kind == "clock"] <- "s"
   prior <- function(what) vapply(p$name, function(name) {
@@ -366,8 +371,15 @@ misfit_of <- function(found) {
 abort_refused_fit <- function(found, about, call) {
   at <- found$at + 1
   n <- length(about$unknown)
-  name <- if (at > n + 1) about$parameters$name[at - n - 1] else about$unknown[at]
+  if (at > n + 1) {
+    abort_rotdyn(c(
+      "{.field {about$parameters$name[at - n - 1]}} has no effect on what was observed.",
+      x = "It has none at the scene's numbers, where the fit begins.",
+      i = "Leave it out of {.arg unknown}, or begin from other numbers."
+    ), "value", call)
+  }
+  name <- about$unknown[at]
   abort_rotdyn(c(
     "The fit cannot begin: {found$refused}.", i = if (!is.na(name)) "At {.field {name}}."
-  ), if (at > n + 1) "value" else "argument", call)
+  ), "argument", call)
 }

@@ -40,6 +40,8 @@ test_that("a ball that slips, then rolls", {
   expect_equal(sqrt(diag(vcov(fit))), stats::setNames(fit$standard_error, fit$unknown))
   expect_equal(unname(coef(fit)), fit$value)
   expect_identical(unname(confint(fit)[, "lower"]), fit$lower)
+  expect_identical(confint(fit, level = 0.95), confint(fit))
+  expect_error(confint(fit, level = 0.68), "level = 0.68", class = "rotdyn_error_argument")
   info <- glance(fit)
   expect_identical(info$samples, 91)
   expect_identical(info$dof, 89)
@@ -155,6 +157,8 @@ test_that("what cannot be fitted is said before", {
                class = "rotdyn_error_argument")
   expect_error(fit_scene(bowling(0.2, 7), film["x_m"], "v0_m_per_s"),
                class = "rotdyn_error_missing")
+  words <- transform(film, x_m = as.character(x_m))
+  expect_error(fit_scene(bowling(0.2, 7), words, "v0_m_per_s"), class = "rotdyn_error_type")
   pushed <- scene_axle(1, function(time_s) 0 * time_s)
   expect_error(fit_scene(pushed, film, "body"), "R functions", class = "rotdyn_error_value")
   expect_error(as_scene(fit("v0_m_per_s"), record = 2), class = "rotdyn_error_value")
@@ -192,4 +196,15 @@ test_that("pictures show the record, the motion and what is left over", {
   expect_identical(nrow(layers$data[[2]]), 2L * 2L * 2L * 31L)
   expect_match(picture$labels$alt, "x_m, v_m_per_s")
   expect_equal(range(layers$data[[3]]$x), c(0, 3))
+})
+
+test_that("columns with units are converted", {
+  skip_if_not_installed("units")
+  film <- film_of(bowling(0.12, 8), 0:90 / 30, "x_m", 0.01)
+  plain <- fit_scene(bowling(0.2, 7), film, c("static_friction", "v0_m_per_s"))
+  film$x_m <- units::set_units(100 * film$x_m, "cm")
+  expect_equal(fit_scene(bowling(0.2, 7), film, plain$unknown)$value, plain$value,
+               tolerance = 1e-9)
+  film$x_m <- units::set_units(as.double(film$x_m), "kg")
+  expect_error(fit_scene(bowling(0.2, 7), film, plain$unknown), class = "rotdyn_error_unit")
 })
