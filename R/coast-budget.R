@@ -174,19 +174,26 @@ speed_range <- function(fit) {
   range(unlist(speeds))
 }
 
-#' The seven laws compared
+#' Laws compared
 #'
-#' Each combination of Coulomb, viscous and quadratic losses is fitted with the noise that the law
-#' with all three leaves, and compared by Akaike's criterion for small samples (AICc). It is advice:
-#' a law that another one beats by less than 4 is not excluded, and intervals that follow from the
-#' selected law alone are too short. [fit_coast_down()] takes them from all losses.
+#' **A coast-down**: each combination of Coulomb, viscous and quadratic losses is fitted with the
+#' noise that the law with all three leaves, and compared by Akaike's criterion for small samples
+#' (AICc). It is advice: a law that another one beats by less than 4 is not excluded, and intervals
+#' that follow from the selected law alone are too short. [fit_coast_down()] takes them from all
+#' losses.
 #'
-#' @inheritParams loss_budget
+#' **Fits of scenes** to the same samples, of one scene with more or fewer unknowns, or of several
+#' scenes: the noise is that of the fit with the largest likelihood.
+#'
+#' @param fit A [fit_coast_down()], or a [fit_scene()].
+#' @param ... Of a [fit_scene()]: others. Else not used: an unknown argument is an error.
 #' @return A tibble with a row for each law, the best first, and the columns
-#'   `r describe_columns(c("law", "parameters", "aicc_difference", "sigma"))`
-#' @section Errors: `rotdyn_error_type`.
+#'   `r describe_columns(c("law", "parameters", "aicc_difference", "sigma", "relative_residual"))`
+#'   the last but one of coast-downs, the last of scenes.
+#' @section Errors: `rotdyn_error_type`; `rotdyn_error_argument` for fits of other samples,
+#'   `rotdyn_error_value` for one that did not converge, `rotdyn_error_missing` for a single one.
 #' @source Hurvich and Tsai, Biometrika 76, 297 (1989).
-#' @seealso [fit_coast_down()].
+#' @seealso [fit_coast_down()], [fit_scene()].
 #' @concept friction law
 #' @concept model selection
 #' @examples
@@ -196,8 +203,21 @@ speed_range <- function(fit) {
 #' compare_laws(fit_coast_down(samples))
 #' @export
 compare_laws <- function(fit, ...) {
-  call <- check_no_dots(...)
-  check_supplied("fit", call)
+  if (missing(fit)) check_supplied("fit", rlang::current_env())
+  UseMethod("compare_laws")
+}
+
+#' @export
+compare_laws.default <- function(fit, ...) {
+  check_class(fit, "rot_coast_fit", "fit", "Make one with {.fn fit_coast_down} or {.fn fit_scene}.",
+              rlang::current_env())
+}
+
+#' @rdname compare_laws
+#' @export
+compare_laws.rot_coast_fit <- function(fit, ...) {
+  call <- rlang::current_env()
+  check_no_dots(...)
   fit <- coast_fit(fit, "fit", call)
   sets <- lapply(1:7, function(set) coast_losses[bitwAnd(set, c(1L, 2L, 4L)) > 0])
   with_losses <- function(problem, losses) {
@@ -242,11 +262,18 @@ compare_laws <- function(fit, ...) {
 #' of the sensor that repeats every turn, runs that differ. What repeats every turn does not show in
 #' one or two pulses a turn. The findings are those that the print of the fit names.
 #'
-#' @inheritParams loss_budget
+#' Of a [fit_scene()] each observed column of each record is tested for: correlation; a law that
+#' does not fit (a correlation time at its cap, or sums of residuals over windows of 4, 8, 16, ...
+#' samples that chance does not explain), with the time at which residuals are largest; outliers
+#' that were left out; and, where the noise was given, its size.
+#'
+#' @param fit A [fit_coast_down()], or a [fit_scene()].
+#' @param ... Not used: an unknown argument is an error.
 #' @return A tibble with a row for each test and run, and the columns
 #'   `r describe_columns(c("run", "test", "statistic", "p_value", "finding"))`
+#'   or `record` and `column` instead of `run`.
 #' @section Errors: `rotdyn_error_type`.
-#' @seealso [fit_coast_down()].
+#' @seealso [fit_coast_down()], [fit_scene()].
 #' @concept autocorrelation
 #' @concept white noise
 #' @concept goodness of fit
@@ -255,8 +282,21 @@ compare_laws <- function(fit, ...) {
 #' residual_tests(fit_coast_down(samples, losses = "coulomb"))
 #' @export
 residual_tests <- function(fit, ...) {
-  call <- check_no_dots(...)
-  check_supplied("fit", call)
+  if (missing(fit)) check_supplied("fit", rlang::current_env())
+  UseMethod("residual_tests")
+}
+
+#' @export
+residual_tests.default <- function(fit, ...) {
+  check_class(fit, "rot_coast_fit", "fit", "Make one with {.fn fit_coast_down} or {.fn fit_scene}.",
+              rlang::current_env())
+}
+
+#' @rdname residual_tests
+#' @export
+residual_tests.rot_coast_fit <- function(fit, ...) {
+  call <- rlang::current_env()
+  check_no_dots(...)
   fit <- coast_fit(fit, "fit", call)
   below <- loss_below(fit)
   rows <- lapply(fit$runs, function(run) {

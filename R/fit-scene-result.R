@@ -2,7 +2,8 @@
 
 # Degrees of freedom: of slow noise a series has fewer independent samples (as coast_dof()).
 fit_dof <- function(found, about) {
-  noise <- matrix(found$noise, 5L)
+  if (!is.character(about$noise)) return(Inf)
+  noise <- matrix(found$noise, noise_numbers)
   spans <- unlist(lapply(about$records, function(r) {
     rep(diff(range(r$time_s)), length(r$series))
   }))
@@ -173,9 +174,16 @@ print.rot_fit <- function(x, ...) {
   cat(paste0(
     "  noise of ", noise$column, ": ", format_each(signif(noise$sigma, 3)), " ", noise$unit,
     ifelse(noise$tau_s > 0, paste0(", correlated over ", format_each(signif(noise$tau_s, 2)), " s"),
-           ""),
-    ifelse(noise$at_cap, ": the law does not fit", "")
+           "")
   ), sep = "\n")
+  tests <- verdict_rows(fit)
+  told <- tests[tests$test %in% c("wrong law", "outliers") & tests$finding != "none found", ]
+  if (nrow(told)) {
+    where <- if (length(about$records) > 1L) paste0(" of record ", told$record) else ""
+    what <- ifelse(told$test == "wrong law", "law: ", "outliers: ")
+    cat(paste0("  ", what, told$column, where, " ", told$finding), sep = "\n")
+  }
+  if (any(told$test == "wrong law")) cat("  intervals of a law that does not fit may not hold\n")
   if (length(fit$found$others)) {
     worse <- sum(fit$found$others > misfit_of(fit$found) + 0.5)
     cat("  ", length(fit$found$others), " further starts, ", worse,
@@ -187,7 +195,7 @@ print.rot_fit <- function(x, ...) {
 }
 
 noise_table <- function(fit) {
-  noise <- matrix(fit$found$noise, 5L)
+  noise <- matrix(fit$found$noise, noise_numbers)
   records <- fit$about$records
   column <- unlist(lapply(records, function(r) names(r$series)))
   data.frame(
@@ -196,7 +204,7 @@ noise_table <- function(fit) {
     }, 0L)),
     column = column, unit = unit_of_column(column),
     n = noise[1L, ], sigma = noise[2L, ], tau_s = noise[3L, ], white = noise[4L, ],
-    at_cap = noise[5L, ] > 0
+    at_cap = noise[5L, ] > 0, gain = noise[6L, ]
   )
 }
 
@@ -218,13 +226,18 @@ augment.rot_fit <- function(x, ...) {
   call <- check_no_dots(...)
   fit <- fit_of(x, call)
   at <- 0
-  parts <- lapply(fit$about$records, function(r) {
+  parts <- lapply(seq_along(fit$about$records), function(k) {
+    r <- fit$about$records[[k]]
     n <- length(r$time_s)
-    out <- lapply(names(r$series), function(column) {
-      residual <- fit$found$residual[at + seq_len(n)]
+    left <- fit$about$outliers_at
+    out <- lapply(seq_along(r$series), function(c) {
+      fitted <- fit$found$fitted[at + seq_len(n)]
       at <<- at + n
-      data.frame(record = r$name, time_s = r$time_s, column = column, measured = r$series[[column]],
-                 fitted = r$series[[column]] - residual, residual = residual)
+      data.frame(
+        record = r$name, time_s = r$time_s, column = names(r$series)[c], measured = r$all[[c]],
+        fitted = fitted, residual = r$all[[c]] - fitted,
+        outlier = seq_len(n) %in% left$row[left$record == k & left$column == c]
+      )
     })
     do.call(rbind, out)
   })

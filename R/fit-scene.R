@@ -19,6 +19,14 @@
 #' motion. The noise of each column is white, or white and an Ornstein-Uhlenbeck process, by
 #' restricted likelihood (REML).
 #'
+#' **Outliers**: a sample whose residual, without the correlation of the noise, exceeds 4.5 standard
+#' deviations and differs as much from the median of the four nearest is left out and named, as long
+#' as no more than 3 % of a column are; more are no outliers but a law that does not fit.
+#'
+#' **Counters**: where a column has a resolution D (a counter, an encoder, few digits), its noise is
+#' at least `D/sqrt(12)`. Of a record of that column alone, where a count repeats four times or
+#' more, the times at which it changes are fitted instead of the counts.
+#'
 #' What a record does not tell is said: combinations of unknowns that change without changing the
 #' motion have no standard error (`status` is `"not determined"`), and `glance()` has the condition
 #' of the problem.
@@ -36,7 +44,10 @@
 #'   beforehand.
 #' @param offset,factor Observed columns whose instrument has an unknown zero, an unknown scale.
 #' @param clock TRUE: the time of the records begins at an unknown moment, one for each of them.
-#' @param noise `"find"`, or `"white"` for uncorrelated residuals.
+#' @param noise `"find"`, `"white"` for uncorrelated residuals, or known standard deviations of
+#'   white noise, named by the observed columns: then the sum of squares tests the law
+#'   ([residual_tests()]).
+#' @param outliers `"leave_out"`, or `"keep"`.
 #' @param level Level of the intervals.
 #' @param starts Further starts, spread over a tenth to ten times the scene's numbers, by which a
 #'   second minimum is seen.
@@ -75,29 +86,36 @@
 #' @export
 fit_scene <- function(scene, records, unknown, ..., per_record = character(), observed = NULL,
                       prior = list(), offset = character(), factor = character(), clock = FALSE,
-                      noise = "find", level = 0.95, starts = 0, accuracy = 1e-10) {
+                      noise = "find", outliers = "leave_out", level = 0.95, starts = 0,
+                      accuracy = 1e-10) {
   call <- check_no_dots(...)
   check_supplied(c("scene", "records", "unknown"), call)
   check_scene(scene, call)
   about <- list(
     scene = scene, node = fit_node(scene, call),
-    noise = check_choice(noise, "noise", c("find", "white"), call),
+    noise = noise,
+    outliers = check_choice(outliers, "outliers", c("leave_out", "keep"), call),
     level = check_number(level, "level", "1", call, lower = 0, upper = 0.9999, open = TRUE),
     accuracy = check_number(accuracy, "accuracy", "1", call, lower = 0, open = TRUE)
   )
   starts <- floor(check_number(starts, "starts", "1", call, 0, 1000))
   about$known <- inputs_that_vary(about$node)
   about$unknown <- check_unknown(unknown, about, call)
+  about$node <- node_that_follows(about$node, about$unknown, about$known, call)
   about$per_record <- check_among(per_record, "per_record", about$unknown, call)
   about$records <- fit_records(records, scene, observed, call)
   columns <- unique(unlist(lapply(about$records, function(r) names(r$series))))
+  about$noise <- check_fit_noise(noise, columns, call)
   about$offset <- check_among(offset, "offset", columns, call)
   about$factor <- check_among(factor, "factor", columns, call)
   about$clock <- check_flag(clock, "clock", call)
   about$parameters <- fit_parameters(about)
   about$prior <- check_priors(prior, about, call)
   about$problem <- fit_problem(about, call)
-  new_scene_fit(about, solve_fit(about, starts, call), call)
+  found <- solve_fit(about, starts, call)
+  if (about$outliers == "keep") return(new_scene_fit(about, found, call))
+  cleaned <- without_outliers(about, found)
+  new_scene_fit(cleaned$about, cleaned$found, call)
 }
 
 # ---- checks -------------------------------------------------------------------------------------
@@ -134,6 +152,26 @@ check_unknown <- function(unknown, about, call) {
   unknown
 }
 
+# "find", "white", or the s.d. of each column.
+check_fit_noise <- function(noise, columns, call) {
+  if (is.character(noise)) return(check_choice(noise, "noise", c("find", "white"), call))
+  names <- names(noise) %||% ""
+  noise <- check_finite(noise, "noise", "SI", call)
+  odd <- noise[!(noise > 0)]
+  if (length(odd)) {
+    abort_rotdyn(c(
+      "{.arg noise} must be standard deviations, above 0.", x = "It is {format(odd[1])}."
+    ), "value", call)
+  }
+  check_among(names, "names(noise)", columns, call)
+  missing <- setdiff(columns, names)
+  if (length(missing) || anyDuplicated(names)) {
+    abort_rotdyn("{.arg noise} must have a number for each of {.field {columns}}.", "argument",
+                 call)
+  }
+  stats::setNames(noise, names)
+}
+
 check_among <- function(x, arg, of, call) {
   if (is.null(x)) return(character())
   odd <- if (is.character(x)) setdiff(x, of) else "?"
@@ -152,86 +190,6 @@ check_priors <- function(prior, about, call) {
   }
   check_among(names(prior) %||% character(), "names(prior)", names, call)
   lapply(prior, function(x) as_measured(x, "prior", "1", call))
-}
-
-# Records as lists of time_s and series (named list of columns), one for each segment.
-fit_records <- function(records, scene, observed, call) {
-  if (is.data.frame(records)) records <- list(records)
-  if (!is.list(records) || !length(records) || !all(vapply(records, is.data.frame, NA))) {
-    abort_rotdyn(c(
-      "{.arg records} must be a data frame, or a list of data frames.",
-      x = "It is {describe_value(records)}."
-    ), "type", call)
-  }
-  known <- fit_observables(scene, call)
-  labels <- names(records) %||% rep("", length(records))
-  out <- list()
-  for (i in seq_along(records)) {
-    one <- records[[i]]
-    if (!"time_s" %in% names(one)) {
-      abort_rotdyn("A record must have the column {.field time_s}.", "missing", call)
-    }
-    wanted <- if (is.null(observed)) intersect(names(one), known) else observed
-    missing <- setdiff(wanted, intersect(names(one), known))
-    if (length(missing) || !length(wanted)) {
-      abort_rotdyn(c(
-        if (length(missing)) {
-          "{.field {missing}} {?is/are} no column{?s} of record {i} and of the motion."
-        } else {
-          "Record {i} has no column of this scene's motion."
-        },
-        i = "The motion has {.field {known}}."
-      ), "argument", call)
-    }
-    time_s <- check_finite(one$time_s, "time_s", "s", call)
-    segment <- if ("segment" %in% names(one)) one$segment else rep(1, nrow(one))
-    parts <- split(seq_along(time_s), segment)
-    for (k in seq_along(parts)) {
-      rows <- parts[[k]][order(time_s[parts[[k]]])]
-      series <- lapply(stats::setNames(wanted, wanted), function(name) {
-        observed_numbers(one[[name]], name, call)[rows]
-      })
-      label <- if (nzchar(labels[i])) labels[i] else as.character(i)
-      out[[length(out) + 1L]] <- list(
-        name = if (length(parts) > 1L) paste0(label, ".", k) else label,
-        time_s = time_s[rows], series = series
-      )
-    }
-  }
-  start <- scene$start_s %||% 0
-  early <- vapply(out, function(r) length(r$time_s) && r$time_s[1] < start, NA)
-  if (any(early)) {
-    one <- out[[which(early)[1]]]
-    abort_rotdyn(c(
-      "Record {one$name} begins before the scene does.",
-      x = "It begins at {format(one$time_s[1])} s, the scene at {format(start)} s.",
-      i = "{.arg start_s} of the scene says when its start holds."
-    ), "value", call)
-  }
-  out
-}
-
-# A measured column in SI units; NaN: not measured.
-observed_numbers <- function(x, name, call) {
-  if (inherits(x, "units")) x <- as_si(x, unit_of_column(name), name, call)
-  if (!is.numeric(x) || is.object(x)) {
-    abort_rotdyn(c(
-      "The column {.field {name}} of a record must be numbers.", x = "It is {describe_value(x)}."
-    ), "type", call)
-  }
-  replace(as.double(x), !is.finite(x), NaN)
-}
-
-# Of a column of a motion, by the dictionary.
-unit_of_column <- function(name) {
-  table <- column_table()
-  table$unit[match(sub("\\[[0-9]+\\]$", "", name), table$name)]
-}
-
-# The columns of a scene's motion that are numbers.
-fit_observables <- function(scene, call) {
-  outputs <- outputs_of_rows(scene_node_with_functions(scene, call), call)$path
-  sub("^final_", "", grep("^final_", outputs, value = TRUE))
 }
 
 # ---- the problem --------------------------------------------------------------------------------
@@ -289,9 +247,9 @@ fit_problem <- function(about, call) {
   }, double(1), USE.NAMES = FALSE)
   list(
     node = about$node, inputs = about$unknown, start = p$start, logarithm = as.double(p$log),
-    low = p$low, high = p$high, given = NULL, prior = prior("value"), prior_sd = prior("u"),
-    unit = p$unit,
-    accuracy = about$accuracy, max_steps = 1e6, threshold = if (about$noise == "find") 2 else Inf,
+    low = p$low, high = p$high, given = given_noise(about), prior = prior("value"),
+    prior_sd = prior("u"), unit = p$unit, accuracy = about$accuracy, max_steps = 1e6,
+    threshold = if (identical(about$noise, "find")) 2 else Inf,
     records = lapply(seq_along(about$records), function(r) {
       record <- about$records[[r]]
       list(
@@ -307,12 +265,26 @@ fit_problem <- function(about, call) {
           list(
             column = sub("\\[[0-9]+\\]$", "", name), place = index, y = y,
             offset = place("offset", name, r), factor = place("factor", name, r),
-            rounding = 4 * .Machine$double.eps * max(abs(y[is.finite(y)]), 0)
+            weight = record$weight,
+            rounding = 4 * .Machine$double.eps * max(abs(y[is.finite(y)]), 0),
+            floor = record$floor[[name]]
           )
         }, record$series, names(record$series)))
       )
     })
   )
+}
+
+# Numbers of the noise of a series: samples, s.d., correlation time, white part, whether that time
+# is at its cap, gain of the likelihood.
+noise_numbers <- 6L
+
+given_noise <- function(about) {
+  if (is.character(about$noise)) return(NULL)
+  unlist(lapply(about$records, function(record) {
+    Map(function(y, name) c(sum(is.finite(y)), about$noise[[name]], 0, 1, 0, 0), record$series,
+        names(record$series))
+  }), use.names = FALSE)
 }
 
 # The best of the fits from the scene's numbers and from further starts.
@@ -362,10 +334,73 @@ solve_fit <- function(about, starts, call) {
   found
 }
 
-# Minus the logarithm of the likelihood, with the noise that was found, but for what all have.
+# Minus the logarithm of the likelihood, with the noise that was found or given, but for what all
+# have.
 misfit_of <- function(found) {
-  noise <- matrix(found$noise, 5L)
-  sum(noise[1L, ] * log(noise[2L, ]))
+  noise <- matrix(found$noise, noise_numbers)
+  sum(noise[1L, ] * log(noise[2L, ])) + found$numbers[2] / 2
+}
+
+# ---- outliers -----------------------------------------------------------------------------------
+
+# The fit without the samples that are too far off, and where they were: about$outliers_at, rows of
+# record, column (place in the series) and row. Many of them are kept: the law does not fit.
+without_outliers <- function(about, found) {
+  first <- list(about = about, found = found)
+  left <- NULL
+  for (round in 1:6) {
+    if (found$numbers[1] != 0) break
+    new <- outliers_of(about, found)
+    if (!nrow(new)) break
+    left <- rbind(left, new)
+    for (i in seq_len(nrow(new))) {
+      r <- new$record[i]
+      k <- new$column[i]
+      about$records[[r]]$series[[k]][new$row[i]] <- NaN
+      about$problem$records[[r]]$series[[k]]$y[new$row[i]] <- NaN
+    }
+    size <- lengths(lapply(about$records, `[[`, "time_s"))
+    many <- tabulate(left$record, length(size)) > pmax(1, 0.03 * size * lengths(lapply(
+      about$records, `[[`, "series"
+    )))
+    if (any(many)) return(first)
+    problem <- about$problem
+    problem$start <- found$x
+    again <- .Call(ffi_fit, problem, NULL)
+    if (!is.null(again$refused)) return(first)
+    again$others <- found$others
+    found <- again
+  }
+  about$outliers_at <- left
+  list(about = about, found = found)
+}
+
+# Residuals beyond 4.5 s.d. that are as far from the median of the four nearest, too: where the law
+# fails its neighbours are off with a sample. Outliers make the noise that was found larger: it
+# counts by the median.
+outliers_of <- function(about, found) {
+  at <- 0
+  rows <- list()
+  for (r in seq_along(about$records)) {
+    record <- about$records[[r]]
+    for (k in seq_along(record$series)) {
+      n <- length(record$time_s)
+      e <- found$white[at + seq_len(n)]
+      at <- at + n
+      known <- which(is.finite(e))
+      m <- length(known)
+      if (m < 12L) next
+      e <- e[known]
+      size <- max(min(1, stats::median(abs(e)) / stats::qnorm(0.75)), 0.2)
+      for (i in which(abs(e) > 4.5 * size)) {
+        near <- seq(min(max(i - 2L, 1L), m - 4L), length.out = 5L)
+        if (abs(e[i] - stats::median(e[setdiff(near, i)])) > 4.5 * size) {
+          rows[[length(rows) + 1L]] <- data.frame(record = r, column = k, row = known[i])
+        }
+      }
+    }
+  }
+  do.call(rbind, rows) %||% data.frame(record = integer(), column = integer(), row = integer())
 }
 
 abort_refused_fit <- function(found, about, call) {

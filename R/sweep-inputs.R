@@ -9,7 +9,9 @@
 #' A path is the name of an argument, of an argument of a part behind `$`, with the place of an item
 #' or of a number in brackets: `body$mass_kg`, `pivot_m[3]`, `bodies[2]$radius_m`. What the
 #' constructors derive, such as the moment of inertia of a body, is no input: vary what it follows
-#' from. A body may be replaced by a number where the constructor takes one (`body`, its moment of
+#' from. An optional argument that has the value which its constructor finds without it, such as
+#' `omega0_rad_per_s` of a body that rolls at the start, follows when others vary, as in
+#' [update()]. A body may be replaced by a number where the constructor takes one (`body`, its moment of
 #' inertia).
 #'
 #' @param scene A scene, see [scene_axle()].

@@ -266,6 +266,7 @@ plan_bound <- function(plan, call) {
   if (length(unknown)) abort_unknown_input(unknown, plan, known, call)
   check_domains(plan, all, bound, call)
   plan$inputs <- all[bound]
+  plan$node <- node_that_follows(plan$node, plan$inputs, plan$known, call)
   plan$bound <- as.double(bound - 1L)
   plan
 }

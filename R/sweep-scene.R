@@ -8,12 +8,12 @@ path_steps <- function(path) {
   })
 }
 
-# The node of a scene with numbers in the place of others; `known`: inputs_that_vary(node), for the
-# numbers of vectors that the node lacks.
+# The node of a scene with numbers in the place of others, or without them (NULL); `known`:
+# inputs_that_vary(node), for the numbers of vectors that the node lacks.
 node_with <- function(node, paths, values, known) {
   at <- setdiff(names(node), "scene_format")[1]
   for (i in seq_along(paths)) {
-    node[[at]] <- set_in(node[[at]], path_steps(paths[i]), values[i], paths[i], known)
+    node[[at]] <- set_in(node[[at]], path_steps(paths[i]), values[[i]], paths[i], known)
   }
   node
 }
@@ -49,6 +49,37 @@ set_in <- function(x, steps, value, path, known) {
 scene_of_node <- function(node, call) {
   node$scene_format <- NULL
   read_node(node, text_readers(), "the scene", call)
+}
+
+# The node without the numbers that constructors made of others, as omega0 = v0/radius: they follow
+# when those vary. Such a number is of an argument whose default is NULL, and the constructors say
+# the same without it (as in changed_object()). `paths`: what varies.
+node_that_follows <- function(node, paths, known, call) {
+  stem <- function(path) sub("(\\[[0-9]+\\])+$", "", path)
+  made <- setdiff(stem(known$path[!is.nan(known$value)]), stem(paths))
+  out <- node
+  for (path in made[vapply(made, is_null_by_default, NA, node)]) {
+    shorter <- node_with(out, path, list(NULL), known)
+    scene <- make_quietly(scene_of_node, list(shorter, call))
+    if (!is.null(scene) && identical(scene_node_with_functions(scene, call), node)) out <- shorter
+  }
+  out
+}
+
+# Whether the argument that a path names is NULL in the usage of its constructor.
+is_null_by_default <- function(path, node) {
+  known <- names(text_readers())
+  inside <- node[setdiff(names(node), "scene_format")[1]]
+  steps <- path_steps(path)
+  for (i in seq_along(steps)) {
+    if (length(inside) == 1L && isTRUE(names(inside) %in% known)) {
+      constructor <- names(inside)
+      inside <- inside[[1]]
+    }
+    if (i < length(steps)) inside <- inside[[steps[[i]]]]
+  }
+  usage <- formals(text_readers()[[constructor]])
+  steps[[i]] %in% names(usage) && is.null(usage[[steps[[i]]]])
 }
 
 # ---- outputs of a motion ------------------------------------------------------------------------

@@ -17,13 +17,16 @@ static int *places_of(SEXP list, const char *name, R_xlen_t n) {
 }
 
 static rot_fit_series series_of(SEXP x, const rot_constraint *constraint, R_xlen_t n) {
+  SEXP weight = ffi_element(x, "weight");
   const rot_fit_series to = {
       .of = {rot_run_column(constraint, ffi_text(ffi_element(x, "column"), "column")),
              (size_t)ffi_number_of(x, "place")},
       .y = ffi_numbers_of(x, "y", n),
       .offset = (int)ffi_number_of(x, "offset"),
       .factor = (int)ffi_number_of(x, "factor"),
-      .rounding = ffi_number_of(x, "rounding")};
+      .weight = Rf_isNull(weight) ? NULL : ffi_reals(weight, "weight", n),
+      .rounding = ffi_number_of(x, "rounding"),
+      .floor = ffi_number_of(x, "floor")};
   if (to.of.column >= constraint->n_columns || constraint->columns[to.of.column].flag) {
     Rf_error("internal: no such column");
   }
@@ -44,15 +47,17 @@ static rot_fit_record record_of(SEXP x, const rot_constraint *constraint, R_xlen
                           .series = all};
 }
 
-/* n, sigma, tau, white, cap of each series => noise */
+enum { NOISE_NUMBERS = 6 };
+
+/* n, sigma, tau, white, cap, gain of each series => noise */
 static const rot_fit_noise *noise_of(SEXP x) {
   if (Rf_isNull(x)) return NULL;
   const double *row = ffi_reals(x, "given", -1);
-  const size_t n = (size_t)XLENGTH(x) / 5;
+  const size_t n = (size_t)XLENGTH(x) / NOISE_NUMBERS;
   rot_fit_noise *to = (rot_fit_noise *)R_alloc(n + 1, sizeof *to);
-  for (size_t i = 0; i < n; i++, row += 5) {
-    to[i] =
-        (rot_fit_noise){.reml = {.noise = {row[2], row[3]}}, .sigma = row[1], .n = (size_t)row[0]};
+  for (size_t i = 0; i < n; i++, row += NOISE_NUMBERS) {
+    to[i] = (rot_fit_noise){
+        .reml = {.noise = {row[2], row[3]}, .gain = row[5]}, .sigma = row[1], .n = (size_t)row[0]};
   }
   return to;
 }
@@ -83,13 +88,12 @@ static rot_fit_problem problem_of(SEXP x, const rot_object *scene) {
                            .noise = noise_of(ffi_element(x, "given"))};
 }
 
-/* Columns of the result; 5 for each series. */
-enum { X, HELD, COVARIANCE, FACTOR, TRIANGLE, NOISE, RESIDUAL, NUMBERS, MODEL };
-static const char *const names[] = {"x",     "held",     "covariance", "factor", "triangle",
-                                    "noise", "residual", "numbers",    "model",  ""};
+enum { X, HELD, COVARIANCE, FACTOR, TRIANGLE, NOISE, FITTED, WHITE, NUMBERS, MODEL };
+static const char *const names[] = {"x",      "held",  "covariance", "factor", "triangle", "noise",
+                                    "fitted", "white", "numbers",    "model",  ""};
 
-/* problem => list(x, held, covariance, factor, triangle, noise: n, sigma, tau, white, cap of each
- * series, residual, numbers: status, squares, condition, samples, iterations, runs, model); or
+/* problem => list(x, held, covariance, factor, triangle, noise: n, sigma, tau, white, cap, gain
+ * of each series, fitted, white, numbers: status, squares, condition, samples, iterations, runs, model); or
  * list(refused, at) */
 SEXP ffi_fit(SEXP x, SEXP progress) {
   static const char *const refused[] = {"refused", "at", ""};
@@ -113,11 +117,12 @@ SEXP ffi_fit(SEXP x, SEXP progress) {
   fit.covariance = ffi_new_double(out, COVARIANCE, m * m);
   fit.factor = ffi_new_double(out, FACTOR, m * m);
   fit.triangle = ffi_new_double(out, TRIANGLE, m * m);
-  fit.residual = ffi_new_double(out, RESIDUAL, n_samples);
+  fit.fitted = ffi_new_double(out, FITTED, n_samples);
+  fit.white = ffi_new_double(out, WHITE, n_samples);
   double *held = ffi_new_double(out, HELD, m);
   fit.held = (int *)R_alloc((size_t)m + 1, sizeof *fit.held);
   for (R_xlen_t i = 0; i < m * m; i++) fit.covariance[i] = fit.factor[i] = fit.triangle[i] = NAN;
-  double *noise = ffi_new_double(out, NOISE, 5 * n_series);
+  double *noise = ffi_new_double(out, NOISE, NOISE_NUMBERS * n_series);
   fit.noise = (rot_fit_noise *)R_alloc((size_t)n_series + 1, sizeof *fit.noise);
   memset(fit.noise, 0, ((size_t)n_series + 1) * sizeof *fit.noise);
   rot_refusal no = {0};
@@ -138,9 +143,10 @@ SEXP ffi_fit(SEXP x, SEXP progress) {
   for (R_xlen_t i = 0; i < m; i++) held[i] = fit.held[i];
   for (R_xlen_t i = 0; i < n_series; i++) {
     const rot_fit_noise *one = &fit.noise[i];
-    const double row[] = {(double)one->n, one->sigma, one->reml.noise.tau_s, one->reml.noise.white,
-                          (double)one->reml.at_cap};
-    memcpy(noise + 5 * i, row, sizeof row);
+    const double row[] = {(double)one->n,           one->sigma,
+                          one->reml.noise.tau_s,    one->reml.noise.white,
+                          (double)one->reml.at_cap, one->reml.gain};
+    memcpy(noise + NOISE_NUMBERS * i, row, sizeof row);
   }
   const double numbers[] = {(double)status,         fit.squares,
                             fit.condition,          (double)fit.samples,

@@ -208,3 +208,135 @@ test_that("columns with units are converted", {
   film$x_m <- units::set_units(as.double(film$x_m), "kg")
   expect_error(fit_scene(bowling(0.2, 7), film, plain$unknown), class = "rotdyn_error_unit")
 })
+
+test_that("known noise: chi-squared, intervals of the normal law", {
+  film <- film_of(bowling(0.12, 8), 0:90 / 30, "x_m", 0.01)
+  unknown <- c("static_friction", "v0_m_per_s")
+  fit <- fit_scene(bowling(0.2, 7), film, unknown, noise = c(x_m = 0.01))
+  expect_identical(glance(fit)$dof, Inf)
+  expect_equal(fit$upper[2] - fit$value[2], stats::qnorm(0.975) * fit$standard_error[2],
+               tolerance = 1e-3)
+  # Half of the noise: half of the errors, and the sum of squares says that it is not.
+  half <- fit_scene(bowling(0.2, 7), film, unknown, noise = c(x_m = 0.005))
+  expect_equal(half$value, fit$value, tolerance = 1e-6)
+  expect_equal(2 * half$standard_error, fit$standard_error, tolerance = 1e-5)
+  size <- function(fit) {
+    tests <- residual_tests(fit)
+    tests[tests$test == "size", ]
+  }
+  rest <- augment(fit)$residual
+  expect_equal(size(fit)$statistic, sum(rest^2) / 0.01^2, tolerance = 1e-6)
+  expect_identical(size(fit)$finding, "as the noise given")
+  expect_lt(size(half)$p_value, 1e-6)
+  expect_output(print(half), "law: x_m incomplete near .* times the noise given")
+  refused <- function(noise, class, text) {
+    expect_error(fit_scene(bowling(0.2, 7), film, unknown, noise = noise), text, class = class)
+  }
+  refused(c(x_m = -1), "rotdyn_error_value", "above 0")
+  refused(c(theta_rad = 1), "rotdyn_error_argument", "theta_rad")
+  refused(0.1, "rotdyn_error_argument", "noise")
+  refused(c(x_m = 1, x_m = 2), "rotdyn_error_argument", "x_m")
+  refused("grey", "rotdyn_error_value", "grey")
+})
+
+test_that("outliers are left out and named; many are none", {
+  film <- film_of(bowling(0.12, 8), 0:90 / 30, "x_m", 0.01)
+  film$x_m[c(20, 61)] <- film$x_m[c(20, 61)] + c(0.3, -0.2)
+  unknown <- c("static_friction", "v0_m_per_s")
+  fit <- fit_scene(bowling(0.2, 7), film, unknown)
+  rows <- augment(fit)
+  expect_identical(which(rows$outlier), c(20L, 61L))
+  expect_equal(rows$measured, film$x_m)
+  expect_equal(rows$residual, rows$measured - rows$fitted)
+  expect_identical(glance(fit)$samples, 89)
+  tests <- residual_tests(fit)
+  expect_identical(tests$statistic[tests$test == "outliers"], 2)
+  expect_output(print(fit), "outliers: x_m left out: at 0.633333, 2 s")
+  clean <- film
+  clean$x_m[c(20, 61)] <- NA
+  without <- fit_scene(bowling(0.2, 7), clean, unknown)
+  expect_equal(fit$value, without$value, tolerance = 1e-8)
+  expect_equal(fit$standard_error, without$standard_error, tolerance = 1e-6)
+  kept <- fit_scene(bowling(0.2, 7), film, unknown, outliers = "keep")
+  expect_false(any(augment(kept)$outlier))
+  expect_gt(kept$standard_error[2], 2 * fit$standard_error[2])
+  many <- film
+  many$x_m[seq(5, 90, by = 10)] <- many$x_m[seq(5, 90, by = 10)] + 0.3
+  expect_false(any(augment(fit_scene(bowling(0.2, 7), many, unknown))$outlier))
+  expect_error(fit_scene(bowling(0.2, 7), film, unknown, outliers = "mend"),
+               class = "rotdyn_error_value")
+})
+
+test_that("a law that is not complete is said, with its place", {
+  truth <- scene_axle(0.5, resistance = resistance(0.02, 0.01, 0.05), omega0_rad_per_s = 20)
+  film <- film_of(truth, seq(0, 20, by = 0.1), "omega_rad_per_s", 0.02)
+  simple <- fit_scene(scene_axle(0.5, resistance = resistance(0.1), omega0_rad_per_s = 15), film,
+                      c("resistance$viscous_n_m_s", "omega0_rad_per_s"))
+  full <- fit_scene(
+    scene_axle(0.5, resistance = resistance(0.03, 0.003, 0.02), omega0_rad_per_s = 15), film,
+    c("resistance$viscous_n_m_s", "resistance$quadratic_n_m_s2", "resistance$coulomb_n_m",
+      "omega0_rad_per_s")
+  )
+  law <- function(fit) {
+    tests <- residual_tests(fit)
+    tests$finding[tests$test == "wrong law"]
+  }
+  expect_match(law(simple), "^incomplete near")
+  expect_identical(law(full), "none found")
+  expect_output(print(simple), "intervals of a law that does not fit may not hold")
+  expect_no_match(paste(capture.output(print(full)), collapse = "\n"), "law:")
+  ranks <- compare_laws(simple, full)
+  expect_identical(ranks$law, c("full", "simple"))
+  expect_identical(ranks$parameters, c(4L, 2L))
+  expect_identical(ranks$aicc_difference[1], 0)
+  expect_gt(ranks$aicc_difference[2], 100)
+  # Root mean squares of both, by the noise of the better.
+  white <- fit_scene(as_scene(simple), film, simple$unknown, noise = "white")
+  # Its first samples are off together: no outliers.
+  expect_false(any(augment(white)$outlier))
+  rest <- vapply(list(full, white), function(fit) sqrt(sum(augment(fit)$residual^2)), 0)
+  expect_equal(ranks$relative_residual[1], 1, tolerance = 0.02)
+  expect_equal(ranks$relative_residual[2], rest[2] / rest[1] * sqrt(197 / 199), tolerance = 0.02)
+  start <- scene_axle(0.5, resistance = resistance(0.03, 0.003, 0.02), omega0_rad_per_s = 15,
+                      theta0_rad = 0.1)
+  more <- compare_laws(full, again = full)
+  expect_identical(more$aicc_difference, c(0, 0))
+  expect_identical(sort(more$law), c("again", "full"))
+  expect_error(compare_laws(full), "two fits", class = "rotdyn_error_missing")
+  other <- fit_scene(start, film[1:100, ], c("resistance$viscous_n_m_s", "omega0_rad_per_s"))
+  expect_error(compare_laws(full, other), "same samples", class = "rotdyn_error_argument")
+})
+
+test_that("a counter is fitted by the times at which it counts", {
+  truth <- scene_axle(0.5, resistance = resistance(0.05), omega0_rad_per_s = 4)
+  step <- 2 * pi / 16
+  time_s <- seq(0, 30, by = 0.02)
+  film <- data.frame(
+    time_s = time_s, theta_rad = step * floor(trajectory(truth, time_s)$theta_rad / step)
+  )
+  guess <- scene_axle(0.5, resistance = resistance(0.1), omega0_rad_per_s = 3)
+  unknown <- c("resistance$viscous_n_m_s", "omega0_rad_per_s")
+  fit <- fit_scene(guess, film, unknown, offset = "theta_rad")
+  expect_true(all(abs(fit$value[1:2] - c(0.05, 4)) < 4 * fit$standard_error[1:2]))
+  # By the counts the errors are those of D/sqrt(12): ten times as large.
+  expect_lt(fit$standard_error[1], 2e-4)
+  expect_gt(fit$standard_error[1], 1e-6)
+  expect_lt(glance(fit)$samples, 300)
+})
+
+test_that("what a constructor made of others follows when those vary", {
+  ball <- body_sphere(6, 0.108)
+  rolls <- suppressMessages(scene_incline(ball, 1, v0_m_per_s = 2))
+  truth <- suppressMessages(scene_incline(ball, 1, v0_m_per_s = 3))
+  film <- film_of(truth, 0:20 / 10, c("x_m", "theta_rad"))
+  fit <- fit_scene(rolls, film, "v0_m_per_s")
+  expect_equal(fit$value, 3, tolerance = 1e-9)
+  expect_equal(as_scene(fit)$omega0_rad_per_s, fit$value / 0.108, tolerance = 1e-12)
+  # The other one unknown: it has a value of its own.
+  lane <- function(v, omega) {
+    scene_incline(ball, 1, static_friction = 0.1, v0_m_per_s = v, omega0_rad_per_s = omega)
+  }
+  film <- film_of(lane(3, 10), 0:20 / 10, c("x_m", "theta_rad"))
+  both <- fit_scene(suppressMessages(lane(2, NULL)), film, c("v0_m_per_s", "omega0_rad_per_s"))
+  expect_equal(both$value, c(3, 10), tolerance = 1e-9)
+})

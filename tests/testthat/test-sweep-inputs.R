@@ -70,3 +70,31 @@ test_that("what is no scene is refused", {
   expect_error(sweep_outputs(), class = "rotdyn_error_missing")
   expect_error(sweep_inputs(wheel, 2), class = "rotdyn_error_argument")
 })
+
+test_that("what a constructor made of other inputs follows them", {
+  ball <- body_sphere(6, 0.108)
+  lane <- function(v, ...) suppressMessages(scene_incline(ball, 1, v0_m_per_s = v, ...))
+  final <- c("x_m", "omega_rad_per_s")
+  of <- function(scene, design) {
+    plan <- sweep_plan(scene, 2, design, outputs = paste0("final_", final), audit_rows = 0)
+    rows <- suppressMessages(sweep_run(plan))
+    matrix(unlist(rows[paste0("final_", final)]), ncol = 2)
+  }
+  last <- function(scene) unlist(trajectory(scene, c(0, 2))[2, final], use.names = FALSE)
+  speeds <- c(0, 3)
+  rolling <- of(lane(2), design_grid(v0_m_per_s = speeds))
+  expect_identical(rolling, rbind(last(lane(0)), last(lane(3))))
+  # Given numbers stay, and what varies has its own.
+  sliding <- function(v) lane(v, omega0_rad_per_s = 5, static_friction = 0.3)
+  given <- of(sliding(2), design_grid(v0_m_per_s = speeds))
+  slides <- lapply(speeds, function(v) last(sliding(v)))
+  expect_identical(given, do.call(rbind, slides))
+  both <- of(lane(2, static_friction = 0.3), design_grid(v0_m_per_s = 3, omega0_rad_per_s = 4))
+  expect_identical(both[1, ], last(lane(3, omega0_rad_per_s = 4, static_friction = 0.3)))
+  # The radius of the body, on which it rolls.
+  small <- of(lane(2), design_grid("body$radius_m" = c(0.05, 0.108)))
+  expect_identical(
+    small[1, ],
+    last(suppressMessages(scene_incline(body_sphere(6, 0.05), 1, v0_m_per_s = 2)))
+  )
+})

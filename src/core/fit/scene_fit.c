@@ -24,7 +24,7 @@ typedef struct work {
   rot_fit_column *columns;
   size_t n_series, n_residuals, n_priors, longest;
   series *series;
-  int whole;               /* 1: residuals and derivatives as they are, for the noise */
+  int whole;               /* 1: residuals and derivatives by weight alone, for the noise */
   size_t n_free, *free_at; /* variables that the solver moves */
   double *u, *x;           /* all variables; the inputs of their values, in their domains */
   double *step;            /* of each record and unknown, and its shift */
@@ -205,7 +205,11 @@ static void residuals_of(const work *w, const series *s, const double value[], d
   for (size_t i = 0; i < s->n; i++) r[i] = offset + factor * value[s->at[i]] - s->of->y[s->at[i]];
 }
 
+/* Rows of samples in units of their noise; while it is looked for, of their weights. */
 static rot_status whiten(const work *w, const series *s, size_t columns, double x[]) {
+  for (size_t i = 0; s->of->weight && i < s->n; i++) {
+    for (size_t q = 0; q < columns; q++) x[i * columns + q] /= s->of->weight[s->at[i]];
+  }
   if (w->whole) return ROT_OK;
   for (size_t i = 0; i < s->n * columns; i++) x[i] /= s->noise->sigma;
   return rot_whiten(&s->noise->reml.noise, s->n, s->time_s, columns, x, NULL);
@@ -329,17 +333,29 @@ static void set_free(work *w) {
   }
 }
 
+/* Whitened residuals have the s.d. 1 where the noise is known, and no less where a series has its
+ * least noise. What the last round found differs from it by some percent. */
+static double size_of_noise(const work *w, double found) {
+  if (w->problem->noise) return 1.0;
+  for (size_t k = 0; k < w->n_series; k++) {
+    const series *s = &w->series[k];
+    if (s->of->floor > 0.0 && s->noise->sigma <= s->of->floor) return fmax(found, 1.0);
+  }
+  return found;
+}
+
 /* Results of the solver to the places of all variables. */
 static void put_result(work *w, const rot_squares *found) {
   const size_t m = w->problem->n_unknowns, n = w->n_free;
+  const double size = size_of_noise(w, found->size) / found->size;
   memset(w->fit->covariance, 0, m * m * sizeof *w->fit->covariance);
   memset(w->fit->factor, 0, m * m * sizeof *w->fit->factor);
   memset(w->fit->triangle, 0, m * m * sizeof *w->fit->triangle);
   for (size_t i = 0; i < n; i++) {
     for (size_t j = 0; j < n; j++) {
       const size_t at = w->free_at[i] * m + w->free_at[j];
-      w->fit->covariance[at] = found->covariance[i * n + j];
-      w->fit->factor[at] = found->factor[i * n + j];
+      w->fit->covariance[at] = size * size * found->covariance[i * n + j];
+      w->fit->factor[at] = size * found->factor[i * n + j];
       w->fit->triangle[at] = found->triangle[i * n + j];
     }
   }
@@ -456,7 +472,7 @@ static void first_noise(const series *s, double scratch[]) {
   }
   qsort(scratch, n, sizeof *scratch, by_size);
   s->noise->sigma = n ? scratch[n / 2] / (0.6745 * sqrt(6.0)) : 1.0;
-  if (!(s->noise->sigma > s->of->rounding)) s->noise->sigma = s->of->rounding;
+  s->noise->sigma = fmax(s->noise->sigma, fmax(s->of->rounding, s->of->floor));
   if (!(s->noise->sigma > 0.0)) s->noise->sigma = 1.0;
 }
 
@@ -507,16 +523,16 @@ static rot_status find_noise(work *w, double r[], double j[], int *same) {
     }
     for (size_t i = 0; i < s->n; i++) sum += w->block[i] * w->block[i];
     if (s->n) s->noise->sigma = sqrt(sum / ((double)s->n * (1.0 - fraction)));
-    if (!(s->noise->sigma > s->of->rounding)) s->noise->sigma = s->of->rounding;
+    s->noise->sigma = fmax(s->noise->sigma, fmax(s->of->rounding, s->of->floor));
     if (!(s->noise->sigma > 0.0)) s->noise->sigma = DBL_MIN;
     if (!settled(&last, s->noise)) *same = 0;
   }
   return status;
 }
 
-/* Data minus motion, in the rows of the records. */
-static rot_status put_residuals(work *w) {
-  double *to = w->fit->residual;
+/* The fitted data and the whitened residuals, in the rows of the records. */
+static rot_status put_fitted(work *w) {
+  double *to = w->fit->fitted, *white = w->fit->white;
   size_t k = 0;
   rot_status status = ROT_OK;
   for (size_t r = 0; r < w->problem->n_records && status == ROT_OK; r++) {
@@ -526,9 +542,13 @@ static rot_status put_residuals(work *w) {
     for (size_t c = 0; c < record->n_series && status == ROT_OK; c++, k++) {
       const series *s = &w->series[k];
       const double offset = offset_of(w, s->of), factor = factor_of(w, s->of);
-      for (size_t i = 0; i < record->n; i++) {
-        *to++ = s->of->y[i] - (offset + factor * w->value[c * record->n + i]);
+      for (size_t i = 0; i < record->n; i++, white++) {
+        *to++ = offset + factor * w->value[c * record->n + i];
+        *white = NAN;
       }
+      residuals_of(w, s, w->value + c * record->n, w->block);
+      status = whiten(w, s, 1, w->block);
+      for (size_t i = 0; i < s->n; i++) (white - record->n)[s->at[i]] = -w->block[i];
     }
   }
   return status;
@@ -597,7 +617,7 @@ rot_status rot_fit_solve(const rot_fit_problem *problem, const rot_hooks *hooks,
     status = solve(&w, no);
     memcpy(fit->x, w.x, problem->n_unknowns * sizeof *fit->x);
     if (status == ROT_OK || status == ROT_ERANGE || status == ROT_EBUDGET) {
-      const rot_status put = put_residuals(&w);
+      const rot_status put = put_fitted(&w);
       if (status == ROT_OK) status = put;
     }
   }

@@ -12,9 +12,11 @@ enum { ROT_FIT_NONE = -1, ROT_FIT_UNKNOWNS = 14 }; /* columns of rot_whiten() */
 /* One observed column of a record. y = offset + factor * motion. */
 typedef struct rot_fit_series {
   rot_fit_column of;
-  const double *y;    /* n; NaN: not measured */
-  int offset, factor; /* unknowns, or ROT_FIT_NONE */
-  double rounding;    /* of its numbers: least s.d. */
+  const double *y;      /* n; NaN: not measured */
+  const double *weight; /* n: s.d. of each sample in those of the noise, > 0; NULL: 1 */
+  int offset, factor;   /* unknowns, or ROT_FIT_NONE */
+  double rounding;      /* of its numbers */
+  double floor;         /* of the s.d. of the noise: a counter's */
 } rot_fit_series;
 
 typedef struct rot_fit_record {
@@ -50,14 +52,15 @@ typedef struct rot_fit_problem {
 } rot_fit_problem;
 
 /* Memory of the caller: p = n_unknowns; covariance, factor, triangle: p x p, of the fit's
- * variables; noise: one for each series, in order; residual: n of each series in order, data minus
- * motion. */
+ * variables; noise: one for each series, in order; fitted: n of each series in order, offset +
+ * factor * motion; white: data minus fitted in standard deviations, without the correlation of the
+ * noise; NaN where not measured. */
 typedef struct rot_fit {
   double *x;
   int *held; /* 1: at the edge of its domain, -1 low, 1 high */
   double *covariance, *factor, *triangle;
   rot_fit_noise *noise;
-  double *residual;
+  double *fitted, *white;
   double squares; /* of the whitened residuals */
   double condition;
   size_t samples, iterations, runs;

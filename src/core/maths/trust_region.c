@@ -209,9 +209,9 @@ static rot_status solve_by(const gsl_multifit_nlinear_trs *trs, double shrink,
     for (size_t j = 0; j < m; j++) x[j] = gsl_vector_get(found, j);
     to->squares = size * size;
     to->sigma = fmax(size / sqrt((double)(n - m)), of->rounding);
+    to->size = fmax(to->sigma, of->rounding * sqrt((double)n));
     /* Rounding errors are equal for all samples: they do not average out. */
-    status =
-        invert(gsl_multifit_nlinear_jac(g), fmax(to->sigma, of->rounding * sqrt((double)n)), to);
+    status = invert(gsl_multifit_nlinear_jac(g), to->size, to);
   }
   if (g) gsl_multifit_nlinear_free(g);
   if (start) gsl_vector_free(start);

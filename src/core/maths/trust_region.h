@@ -23,6 +23,7 @@ typedef struct rot_squares_problem {
 typedef struct rot_squares {
   double squares;   /* sum of squares */
   double sigma;     /* s.d. of a residual, n - p degrees of freedom; at least its rounding */
+  double size;      /* s.d. by which the covariance goes */
   double condition; /* of the Jacobian with columns of length 1 */
   size_t iterations;
   /* p x p by rows, each NULL or of the caller. covariance = factor factor', of which sums of nearly

@@ -42,7 +42,7 @@ typedef struct kit {
   int unknown[2][M], logarithm[M];
   double value[M], low[M], high[M], prior[M], prior_sd[M];
   rot_fit_problem problem;
-  double x[M], covariance[M * M], factor[M * M], triangle[M * M], residual[2 * N];
+  double x[M], covariance[M * M], factor[M * M], triangle[M * M], fitted[2 * N], white[2 * N];
   int held[M];
   rot_fit_noise noise[2];
   rot_fit fit;
@@ -61,7 +61,11 @@ static void begin(kit *k, rot_object *scene, size_t n, const char *const inputs[
   }
   for (size_t r = 0; r < 2; r++) {
     for (int i = 0; i < N; i++) k->time_s[r][i] = 10.0 * i / (N - 1.0);
-    k->series[r] = (rot_fit_series){{at, 0}, k->y[r], ROT_FIT_NONE, ROT_FIT_NONE, 1e-15};
+    k->series[r] = (rot_fit_series){.of = {at, 0},
+                                    .y = k->y[r],
+                                    .offset = ROT_FIT_NONE,
+                                    .factor = ROT_FIT_NONE,
+                                    .rounding = 1e-15};
     k->record[r] =
         (rot_fit_record){N, k->time_s[r], k->unknown[r], k->value, ROT_FIT_NONE, 1, &k->series[r]};
   }
@@ -85,7 +89,8 @@ static void begin(kit *k, rot_object *scene, size_t n, const char *const inputs[
                      .factor = k->factor,
                      .triangle = k->triangle,
                      .noise = k->noise,
-                     .residual = k->residual};
+                     .fitted = k->fitted,
+                     .white = k->white};
 }
 
 static rot_status solve(kit *k, rot_refusal *no) {
@@ -107,11 +112,12 @@ static void exact_records(void) {
   ROT_CHECK_REL(k.x[0], 0.5, 1e-10);
   ROT_CHECK_REL(k.x[1], 3.0, 1e-10);
   ROT_CHECK(k.fit.samples == N && k.fit.model != NULL && k.fit.iterations > 0);
-  for (int i = 0; i < N; i++) ROT_CHECK(fabs(k.residual[i]) < 1e-10);
+  for (int i = 0; i < N; i++) ROT_CHECK(fabs(k.y[0][i] - k.fitted[i]) < 1e-10);
   /* A missing sample is left out. */
   k.y[0][7] = NAN;
   k.x[0] = 0.45;
   ROT_CHECK(solve(&k, NULL) == ROT_OK && k.fit.samples == N - 1);
+  ROT_CHECK(isnan(k.white[7]) && fabs(k.fitted[7] - coast(3.0, 0.5, k.time_s[0][7])) < 1e-9);
   ROT_CHECK_REL(k.x[0], 0.5, 1e-10);
   rot_object_free(k.scene);
 }
@@ -267,8 +273,46 @@ static void not_determined(void) {
   rot_object_free(slope);
 }
 
+/* A free wheel is a straight line: the weighted regression of the angles, by its sums. Samples of
+ * weight 1e6 say nothing. White residuals are those by weight and noise; the floor holds. */
+static void weights(void) {
+  static const char *const line[] = {"theta0_rad", "omega0_rad_per_s"};
+  kit k;
+  double weight[N], s[5] = {0.0};
+  rot_object *scene = of("scene_axle");
+  put(scene, "body", 1.0);
+  put(scene, "omega0_rad_per_s", 2.0);
+  begin(&k, scene, 2, line, "theta_rad", 1);
+  for (int i = 0; i < N; i++) {
+    const double t = k.time_s[0][i];
+    weight[i] = i % 3 ? 1.0 + 0.1 * i : 1e6;
+    k.y[0][i] = 0.2 + 3.0 * t + (i % 3 ? 0.02 * normal() : 50.0);
+    const double w = 1.0 / (weight[i] * weight[i]);
+    s[0] += w;
+    s[1] += w * t;
+    s[2] += w * t * t;
+    s[3] += w * k.y[0][i];
+    s[4] += w * t * k.y[0][i];
+  }
+  k.series[0].weight = weight;
+  k.x[1] = 2.0;
+  ROT_CHECK(solve(&k, NULL) == ROT_OK);
+  const double d = s[0] * s[2] - s[1] * s[1];
+  ROT_CHECK_REL(k.x[0], (s[2] * s[3] - s[1] * s[4]) / d, 1e-9);
+  ROT_CHECK_REL(k.x[1], (s[0] * s[4] - s[1] * s[3]) / d, 1e-9);
+  const double sigma = k.noise[0].sigma;
+  ROT_CHECK_REL(k.covariance[0], sigma * sigma * s[2] / d, 1e-6);
+  for (int i = 0; i < N; i++) {
+    ROT_CHECK(fabs(k.white[i] - (k.y[0][i] - k.fitted[i]) / (sigma * weight[i])) < 1e-9);
+  }
+  k.series[0].floor = 10.0;
+  ROT_CHECK(solve(&k, NULL) == ROT_OK && k.noise[0].sigma == 10.0);
+  rot_object_free(scene);
+}
+
 int main(void) {
   exact_records();
+  weights();
   coverage();
   edge();
   instruments();

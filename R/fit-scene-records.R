@@ -1,0 +1,121 @@
+# Records of motions as a fit of a scene takes them: times and observed columns, counters by their
+# edges.
+
+# Records as lists of time_s and series (named list of columns), one for each segment.
+fit_records <- function(records, scene, observed, call) {
+  if (is.data.frame(records)) records <- list(records)
+  if (!is.list(records) || !length(records) || !all(vapply(records, is.data.frame, NA))) {
+    abort_rotdyn(c(
+      "{.arg records} must be a data frame, or a list of data frames.",
+      x = "It is {describe_value(records)}."
+    ), "type", call)
+  }
+  known <- fit_observables(scene, call)
+  labels <- names(records) %||% rep("", length(records))
+  out <- list()
+  for (i in seq_along(records)) {
+    one <- records[[i]]
+    if (!"time_s" %in% names(one)) {
+      abort_rotdyn("A record must have the column {.field time_s}.", "missing", call)
+    }
+    wanted <- if (is.null(observed)) intersect(names(one), known) else observed
+    missing <- setdiff(wanted, intersect(names(one), known))
+    if (length(missing) || !length(wanted)) {
+      abort_rotdyn(c(
+        if (length(missing)) {
+          "{.field {missing}} {?is/are} no column{?s} of record {i} and of the motion."
+        } else {
+          "Record {i} has no column of this scene's motion."
+        },
+        i = "The motion has {.field {known}}."
+      ), "argument", call)
+    }
+    time_s <- check_finite(one$time_s, "time_s", "s", call)
+    segment <- if ("segment" %in% names(one)) one$segment else rep(1, nrow(one))
+    parts <- split(seq_along(time_s), segment)
+    for (k in seq_along(parts)) {
+      rows <- parts[[k]][order(time_s[parts[[k]]])]
+      series <- lapply(stats::setNames(wanted, wanted), function(name) {
+        observed_numbers(one[[name]], name, call)[rows]
+      })
+      label <- if (nzchar(labels[i])) labels[i] else as.character(i)
+      out[[length(out) + 1L]] <- by_edges(list(
+        name = if (length(parts) > 1L) paste0(label, ".", k) else label,
+        time_s = time_s[rows], series = series
+      ))
+    }
+  }
+  start <- scene$start_s %||% 0
+  early <- vapply(out, function(r) length(r$time_s) && r$time_s[1] < start, NA)
+  if (any(early)) {
+    one <- out[[which(early)[1]]]
+    abort_rotdyn(c(
+      "Record {one$name} begins before the scene does.",
+      x = "It begins at {format(one$time_s[1])} s, the scene at {format(start)} s.",
+      i = "{.arg start_s} of the scene says when its start holds."
+    ), "value", call)
+  }
+  out
+}
+
+# A measured column in SI units; NaN: not measured.
+observed_numbers <- function(x, name, call) {
+  if (inherits(x, "units")) x <- as_si(x, unit_of_column(name), name, call)
+  if (!is.numeric(x) || is.object(x)) {
+    abort_rotdyn(c(
+      "The column {.field {name}} of a record must be numbers.", x = "It is {describe_value(x)}."
+    ), "type", call)
+  }
+  replace(as.double(x), !is.finite(x), NaN)
+}
+
+# Of a column of a motion, by the dictionary.
+unit_of_column <- function(name) {
+  table <- column_table()
+  table$unit[match(sub("\\[[0-9]+\\]$", "", name), table$name)]
+}
+
+# The columns of a scene's motion that are numbers.
+fit_observables <- function(scene, call) {
+  outputs <- outputs_of_rows(scene_node_with_functions(scene, call), call)$path
+  sub("^final_", "", grep("^final_", outputs, value = TRUE))
+}
+
+# A record with the least s.d. of its columns, of counters D/sqrt(12). Of a counter's record alone
+# the slow counts are replaced by the times between them, and samples have weights: s.d. in those
+# of a count. At rest a counter has one error: the rest is one sample.
+by_edges <- function(record) {
+  n <- length(record$time_s)
+  segment <- rep(1L, n)
+  step <- vapply(record$series, function(y) {
+    y[is.nan(y)] <- NA
+    found <- if (sum(!is.na(y)) > 8L) find_resolution(y, segment) else NA
+    if (is.na(found)) 0 else real_step(y, segment, found)
+  }, double(1))
+  record$floor <- as.list(step / sqrt(12))
+  record$all <- record$series
+  if (length(step) > 1L || step == 0) return(record)
+  y <- replace(record$series[[1]], is.nan(record$series[[1]]), NA)
+  edges <- edges_of(list(
+    rates_only = FALSE, omega = NULL, step = step, theta = y, segment = segment,
+    time_s = record$time_s, core = list(floor = step / sqrt(12), clock = seq_len(n))
+  ))
+  if (is.null(edges)) return(record)
+  time <- edges$core$time_s
+  value <- edges$core$theta
+  rest <- edges$core$slow %||% rep(0, length(time)) > 0
+  keep <- !rest | !c(FALSE, rest[-length(rest)])
+  # The rate beside an edge, by its neighbours.
+  m <- length(time)
+  before <- pmax(seq_len(m) - 1L, 1L)
+  behind <- pmin(seq_len(m) + 1L, m)
+  rate <- abs(value[behind] - value[before]) / (time[behind] - time[before])
+  off <- ifelse(is.na(edges$interval), 1, pmin(rate * edges$interval / step, 1))
+  # Not less than a twentieth of a count: the clock has an error, too.
+  record$weight <- pmax(off, 0.05)[keep]
+  record$time_s <- time[keep]
+  record$series[[1]] <- value[keep]
+  record$all <- record$series
+  record$edges <- TRUE
+  record
+}
