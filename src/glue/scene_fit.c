@@ -92,9 +92,9 @@ enum { X, HELD, COVARIANCE, FACTOR, TRIANGLE, NOISE, FITTED, WHITE, NUMBERS, MOD
 static const char *const names[] = {"x",      "held",  "covariance", "factor", "triangle", "noise",
                                     "fitted", "white", "numbers",    "model",  ""};
 
-/* problem => list(x, held, covariance, factor, triangle, noise: n, sigma, tau, white, cap, gain
- * of each series, fitted, white, numbers: status, squares, condition, samples, iterations, runs, model); or
- * list(refused, at) */
+/* problem => list(x, held, covariance, factor, triangle; noise: n, sigma, tau, white, cap, gain of
+ * each series; fitted, white; numbers: status, squares, condition, samples, iterations, runs;
+ * model); or list(refused, at) */
 SEXP ffi_fit(SEXP x, SEXP progress) {
   static const char *const refused[] = {"refused", "at", ""};
   char fault[FFI_OBJECT_FAULT];
