@@ -11,8 +11,8 @@
 #' constructors derive, such as the moment of inertia of a body, is no input: vary what it follows
 #' from. An optional argument that has the value which its constructor finds without it, such as
 #' `omega0_rad_per_s` of a body that rolls at the start, follows when others vary, as in
-#' [update()]. A body may be replaced by a number where the constructor takes one (`body`, its moment
-#' of inertia).
+#' [update()]. A body may be replaced by a number where the constructor takes one (`body`, its
+#' moment of inertia).
 #'
 #' @param scene A scene, see [scene_axle()].
 #' @param ... Not used: an unknown argument is an error.
