@@ -895,6 +895,12 @@ profile_meanings <- c(
   linear = "its distance from the fit in standard errors (of the logarithm, where that is fitted)",
   rooted = "the same by the growth of the sum of squares: equal where the problem is linear"
 )
+design_columns <- c("candidate", "unknown", "standard_error", "planned_error", "ratio")
+design_meanings <- c(
+  candidate = "its name", standard_error = "of the fit; NaN: not determined, or at an edge",
+  planned_error = "with the further record; NaN: not determined then either",
+  ratio = "of both; 0: what is not determined now would be"
+)
 sweep_inputs_columns <- c("input", "unit", "value", "domain", "meaning")
 sweep_inputs_meanings <- c(
   input = "its path", value = "in the scene; NaN where it follows from others, or is an object",

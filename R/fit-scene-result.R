@@ -59,7 +59,8 @@ new_scene_fit <- function(about, found, call) {
   status[lost] <- "not determined"
   if (failed) status[] <- "not converged"
   fit <- list(
-    about = about, found = found, spread = spread, dof = dof, free = free, failed = failed
+    about = about, found = found, spread = spread, dof = dof, free = free, failed = failed,
+    identity = new_identity()
   )
   if (!failed && any(held)) {
     edge <- edge_limits(fit, which(held), call)
@@ -215,10 +216,43 @@ noise_table <- function(fit) {
 as_scene.rot_fit <- function(x, ..., record = 1) {
   call <- check_no_dots(...)
   fit <- fit_of(x, call)
-  p <- fit$about$parameters
   r <- floor(check_number(record, "record", "1", call, 1, length(fit$about$records)))
+  fitted_scene(fit$about, fit$found$x, r, call)
+}
+
+# The scene of record r with the fitted numbers x.
+fitted_scene <- function(about, x, r, call) {
+  p <- about$parameters
   at <- p$kind == "input" & p$record %in% c(0L, r)
-  scene_of_node(node_with(fit$about$node, p$of[at], fit$found$x[at], fit$about$known), call)
+  scene_of_node(node_with(about$node, p$of[at], x[at], about$known), call)
+}
+
+# The columns of record r as they are measured at other times: offset + factor * motion.
+predicted_series <- function(about, x, r, time_s, call) {
+  p <- about$parameters
+  number <- function(kind, of, otherwise) {
+    at <- which(p$kind == kind & p$of == of & p$record %in% c(0L, r))
+    if (length(at)) x[at[1]] else otherwise
+  }
+  scene <- fitted_scene(about, x, r, call)
+  motion <- motion_at(scene, time_s + number("clock", "time_s", 0))
+  index <- constraint_of(scene)$index
+  names <- names(about$records[[r]]$series)
+  lapply(stats::setNames(names, names), function(name) {
+    y <- motion[[sub("\\[[0-9]+\\]$", "", name)]]
+    if (!is.null(index)) {
+      y <- y[motion[[index]] == as.integer(sub("^.*\\[([0-9]+)\\]$", "\\1", name))]
+    }
+    number("offset", name, 0) + number("factor", name, 1) * y
+  })
+}
+
+# A motion at times that need not begin with the scene.
+motion_at <- function(scene, time_s) {
+  start <- scene$start_s %||% 0
+  late <- length(time_s) > 0L && time_s[1] > start
+  rows <- trajectory(scene, if (late) c(start, time_s) else time_s)
+  if (late) rows[rows$time_s > start, ] else rows
 }
 
 #' @export
@@ -260,11 +294,7 @@ predict.rot_fit <- function(object, time_s, ..., record = 1) {
   call <- check_no_dots(...)
   check_supplied("time_s", call)
   scene <- as_scene.rot_fit(object, record = record)
-  time_s <- check_times(time_s, call)
-  start <- scene$start_s %||% 0
-  late <- length(time_s) > 0L && time_s[1] > start
-  rows <- trajectory(scene, if (late) c(start, time_s) else time_s)
-  if (late) rows[rows$time_s > start, ] else rows
+  motion_at(scene, check_times(time_s, call))
 }
 
 #' @export
@@ -283,6 +313,26 @@ vcov.rot_fit <- function(object, ...) {
   spread[lost, ] <- spread[, lost] <- NaN
   dimnames(spread) <- list(p$name, p$name)
   spread
+}
+
+# Each unknown is a sum of independent parts, the columns of the covariance's factor.
+measured_of_fit <- function(x, call) {
+  fit <- fit_of(x, call, "value")
+  p <- fit$about$parameters
+  factor <- matrix(fit$found$factor, nrow(p), byrow = TRUE)
+  known <- which(!is.nan(x$standard_error))
+  if (!length(known)) {
+    abort_rotdyn("{.arg value} has no unknown with a standard error.", "value", call)
+  }
+  id <- fit$identity
+  lapply(stats::setNames(known, p$name[known]), function(k) {
+    scale <- if (p$log[k]) fit$found$x[k] else 1
+    parts <- data.frame(
+      id = paste0(id, "-", seq_len(nrow(p))), name = p$name[k], u = scale * factor[k, ],
+      dof = fit$dof, group = id
+    )
+    measured_from_parts(fit$found$x[k], parts, p$name[k])
+  })
 }
 
 #' @export

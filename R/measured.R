@@ -11,7 +11,8 @@
 #' [uncertainty_budget()] and the functions of [inertia_torsion()] carry its uncertainty on.
 #'
 #' @param value The number, in SI units; or several readings, without `u`: their mean, with u =
-#'   s/sqrt(n) and n - 1 degrees of freedom. An object of the errors package keeps its identity.
+#'   s/sqrt(n) and n - 1 degrees of freedom. An object of the errors package keeps its identity. A
+#'   [fit_scene()]: all its values with their correlations.
 #' @param u Standard uncertainty (one standard deviation), at least 0.
 #' @param dof Degrees of freedom of `u`, above 0; Inf where it is not from readings.
 #' @param name Name in budgets; by default the expression given.
@@ -19,8 +20,9 @@
 #' @param ... For `print()` and `as.double()`: not used. For `c()`: measured numbers.
 #' @param digits For `format()`: digits of the uncertainty.
 #' @return `measured()`: an object of class `rot_measured`, a list with `value`, `u`, `dof`, `name`
-#'   and `parts`, the independent contributions by identity. `as.double()` gives the value, `c()`
-#'   the values of several, with their names.
+#'   and `parts`, the independent contributions by identity; of a fit a list of them, by the names of
+#'   the unknowns that have a standard error. `as.double()` gives the value, `c()` the values of
+#'   several, with their names.
 #'
 #'   `format()`: the concise form, `127.732(71)`. NA, NaN and Inf are errors.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
@@ -44,6 +46,7 @@ measured <- function(value, u, dof = Inf, name = NULL, ...) {
   check_supplied("value", call)
   label <- rlang::as_label(substitute(value))
   name <- if (is.null(name)) label else check_name(name, "name", call)
+  if (inherits(value, "rot_fit") && missing(u)) return(measured_of_fit(value, call))
   if (inherits(value, "errors") && missing(u)) return(from_errors(value, name, call))
   value <- check_finite(value, "value", "1", call)
   if (missing(u)) {

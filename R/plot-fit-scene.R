@@ -2,11 +2,17 @@
 
 #' Plot a fit
 #'
-#' For each observed column two panels: the samples with the fitted motion, and the residuals with
-#' two standard deviations of their noise.
+#' | kind | picture |
+#' |---|---|
+#' | `"motion"` | for each observed column the samples with the fitted motion, and the residuals with two standard deviations of their noise; outliers are crosses |
+#' | `"profiles"` | for each unknown the distance from the fit by the growth of the sum of squares ([profile()]), over the values at which it is held; straight where the problem is linear, beside the line of the standard error |
+#' | `"pairs"` | for each two unknowns the ellipses that hold 68 and 95 % of the probability |
 #'
-#' @param object A [fit_scene()].
+#' Of a [fit_design()]: by how much each further record would reduce each standard error.
+#'
+#' @param object A [fit_scene()], or a [fit_design()].
 #' @inheritParams autoplot.rot_trajectory
+#' @param kind One of these kinds.
 #' @return A ggplot, with alternative text.
 #' @section Errors: `rotdyn_error_package` without ggplot2; `rotdyn_error_argument`,
 #'   `rotdyn_error_type`.
@@ -18,11 +24,20 @@
 #' film$theta_rad <- film$theta_rad + rnorm(61, 0, 0.05)
 #' fit <- fit_scene(wheel, film, c("resistance$coulomb_n_m", "omega0_rad_per_s"))
 #' ggplot2::autoplot(fit)
+#' ggplot2::autoplot(fit, kind = "pairs")
 #' @exportS3Method ggplot2::autoplot
 #' @concept plot
-autoplot.rot_fit <- function(object, ..., base_size = 13) {
+autoplot.rot_fit <- function(object, ..., kind = "motion", base_size = 13) {
   call <- check_plot(base_size, ...)
+  kind <- check_string(kind, "kind", c("motion", "profiles", "pairs"), call)
   fit <- fit_of(object, call, "object")
+  draw <- switch(kind,
+    motion = plot_fit_motion, profiles = plot_fit_profiles, pairs = plot_fit_pairs
+  )
+  draw(object, fit, base_size, call)
+}
+
+plot_fit_motion <- function(object, fit, base_size, call) {
   rows <- augment.rot_fit(object)
   noise <- noise_table(fit)
   columns <- unique(rows$column)
@@ -37,7 +52,7 @@ autoplot.rot_fit <- function(object, ..., base_size = 13) {
     x = rep(rows$time_s, 2), y = c(rows$measured, rows$residual), record = rep(rows$record, 2),
     panel = panel(rep(rows$column, 2), rep(c(FALSE, TRUE), each = nrow(rows)))
   )
-  lines <- do.call(rbind, lapply(seq_along(records), function(r) fitted_line(object, fit, r)))
+  lines <- do.call(rbind, lapply(seq_along(records), function(r) fitted_line(fit, r, call)))
   lines$panel <- panel(lines$column, FALSE)
   lines$record <- records[lines$record]
   band <- data.frame(
@@ -56,7 +71,10 @@ autoplot.rot_fit <- function(object, ..., base_size = 13) {
   ), collapse = ", ")
   colour <- function(of) if (several) ggplot2::aes(colour = .data$record) else ggplot2::aes()
   one <- plot_colours[1]
-  points <- list(data = samples, mapping = colour(), size = 0.07 * base_size, na.rm = TRUE)
+  left <- rep(rows$outlier, 2)
+  points <- list(
+    data = samples[!left, ], mapping = colour(), size = 0.07 * base_size, na.rm = TRUE
+  )
   curve <- list(data = lines, mapping = colour(), linewidth = 0.05 * base_size)
   if (!several) {
     points$colour <- "grey45"
@@ -69,6 +87,10 @@ autoplot.rot_fit <- function(object, ..., base_size = 13) {
     ) +
     do.call(ggplot2::geom_point, points) +
     do.call(ggplot2::geom_line, curve) +
+    ggplot2::geom_point(
+      data = samples[left, ], shape = 4, size = 0.18 * base_size, colour = plot_colours[2],
+      na.rm = TRUE
+    ) +
     ggplot2::facet_wrap(~panel, ncol = if (length(columns) > 1L) 2L else 1L, scales = "free_y") +
     ggplot2::scale_x_continuous(breaks = plot_breaks(base_size), guide = plot_axis()) +
     ggplot2::scale_y_continuous(breaks = plot_breaks(base_size, 4)) +
@@ -89,24 +111,137 @@ autoplot.rot_fit <- function(object, ..., base_size = 13) {
 }
 
 # The fitted motion of record r at 201 times, by column, with offset and factor.
-fitted_line <- function(object, fit, r) {
+fitted_line <- function(fit, r, call) {
   record <- fit$about$records[[r]]
+  times <- seq(record$time_s[1], record$time_s[length(record$time_s)], length.out = 201)
+  series <- predicted_series(fit$about, fit$found$x, r, times, call)
+  do.call(rbind, lapply(names(series), function(name) {
+    data.frame(x = times, y = series[[name]], column = name, record = r)
+  }))
+}
+
+# Unknowns with their units, for strips and axes.
+fitted_labels <- function(object, fit) {
+  unit <- ifelse(is.na(object$unit) | object$unit %in% c("", "1"), "",
+                 paste0(" (", object$unit, ")"))
+  paste0(sub("$", "$\n", fit$about$parameters$name, fixed = TRUE), unit)
+}
+
+check_some_errors <- function(object, n, call) {
+  known <- which(!is.nan(object$standard_error))
+  if (length(known) >= n) return(known)
+  abort_rotdyn(c(
+    "The picture needs {n} unknown{?s} with {?a standard error/standard errors}.",
+    x = "The fit has {length(known)}."
+  ), "value", call)
+}
+
+plot_fit_profiles <- function(object, fit, base_size, call) {
+  known <- check_some_errors(object, 1L, call)
+  label <- fitted_labels(object, fit)
+  rows <- as.data.frame(profile.rot_fit(object, known, points = 6))
+  rows <- rows[is.finite(rows$rooted), ]
+  rows$panel <- factor(label[match(rows$unknown, fit$about$parameters$name)], label[known])
+  limit <- stats::qt((1 + fit$about$level) / 2, fit$dof)
+  said <- paste0(
+    "The curve beside the line of the standard error; dotted: 1 and ", format(limit, digits = 3),
+    ", the ", round(100 * fit$about$level), " % interval"
+  )
+  ggplot2::ggplot(rows, ggplot2::aes(.data$value)) +
+    ggplot2::geom_hline(yintercept = c(-limit, -1, 0, 1, limit), colour = "grey60",
+                        linetype = "dotted") +
+    ggplot2::geom_line(ggplot2::aes(y = .data$linear), colour = "grey45", linetype = "dashed") +
+    ggplot2::geom_line(ggplot2::aes(y = .data$rooted), colour = plot_colours[1],
+                       linewidth = 0.05 * base_size) +
+    ggplot2::geom_point(ggplot2::aes(y = .data$rooted), colour = plot_colours[1],
+                        size = 0.12 * base_size) +
+    ggplot2::facet_wrap(~panel, scales = "free_x") +
+    ggplot2::scale_x_continuous(breaks = plot_breaks(base_size, 3)) +
+    ggplot2::labs(
+      title = wrap_title("Profiles of the fit", base_size),
+      subtitle = wrap_subtitle(said, base_size), x = NULL, y = "distance from the fit (s.e.)",
+      alt = paste0(
+        "Signed root of the growth of the sum of squares over ",
+        paste(sub("\n", "", label[known]), collapse = ", "), "; ", said, "."
+      )
+    ) +
+    plot_theme(base_size)
+}
+
+plot_fit_pairs <- function(object, fit, base_size, call) {
+  known <- check_some_errors(object, 2L, call)
+  label <- fitted_labels(object, fit)
   p <- fit$about$parameters
   x <- fit$found$x
-  number <- function(kind, of, otherwise) {
-    at <- which(p$kind == kind & p$of == of & p$record %in% c(0L, r))
-    if (length(at)) x[at[1]] else otherwise
-  }
-  shift <- number("clock", "time_s", 0)
-  times <- seq(record$time_s[1], record$time_s[length(record$time_s)], length.out = 201)
-  motion <- predict.rot_fit(object, times + shift, record = r)
-  index <- constraint_of(trajectory_run(motion)$scene)$index
-  do.call(rbind, lapply(names(record$series), function(name) {
-    y <- motion[[sub("\\[[0-9]+\\]$", "", name)]]
-    if (!is.null(index)) {
-      y <- y[motion[[index]] == as.integer(sub("^.*\\[([0-9]+)\\]$", "\\1", name))]
-    }
-    data.frame(x = times, y = number("offset", name, 0) + number("factor", name, 1) * y,
-               column = name, record = r)
+  turn <- seq(0, 2 * pi, length.out = 121)
+  pairs <- utils::combn(known, 2)
+  # Radii in standard deviations of two normal numbers, with the degrees of freedom of the noise.
+  inside <- c(0.68, 0.95)
+  radius <- sqrt(2 * stats::qf(inside, 2, fit$dof))
+  lines <- do.call(rbind, lapply(seq_len(ncol(pairs)), function(c) {
+    at <- pairs[, c]
+    root <- t(chol(fit$spread[at, at] + diag(1e-14 * diag(fit$spread)[at])))
+    do.call(rbind, lapply(seq_along(radius), function(k) {
+      off <- root %*% rbind(cos(turn), sin(turn)) * radius[k]
+      place <- x[at] + off
+      place[p$log[at], ] <- (x[at] * exp(off))[p$log[at], ]
+      data.frame(x = place[1, ], y = place[2, ], across = label[at[1]], up = label[at[2]],
+                 inside = paste(100 * inside[k], "%"))
+    }))
   }))
+  centre <- data.frame(x = x[pairs[1, ]], y = x[pairs[2, ]], across = label[pairs[1, ]],
+                       up = label[pairs[2, ]])
+  for (name in c("across", "up")) {
+    lines[[name]] <- factor(lines[[name]], label)
+    centre[[name]] <- factor(centre[[name]], label)
+  }
+  r <- stats::cov2cor(fit$spread[known, known])
+  said <- paste0("correlation ", paste(vapply(seq_len(ncol(pairs)), function(c) {
+    format(round(r[match(pairs[1, c], known), match(pairs[2, c], known)], 3))
+  }, ""), collapse = ", "))
+  ggplot2::ggplot(lines, ggplot2::aes(.data$x, .data$y)) +
+    ggplot2::geom_path(ggplot2::aes(linetype = .data$inside), colour = plot_colours[1],
+                       linewidth = 0.05 * base_size) +
+    ggplot2::geom_point(data = centre, colour = plot_colours[1], size = 0.15 * base_size) +
+    ggplot2::facet_grid(up ~ across, scales = "free", switch = "both") +
+    ggplot2::scale_x_continuous(breaks = plot_breaks(base_size, 3)) +
+    ggplot2::scale_y_continuous(breaks = plot_breaks(base_size, 4)) +
+    ggplot2::labs(
+      title = wrap_title("Pairs of unknowns", base_size),
+      subtitle = wrap_subtitle(said, base_size), x = NULL, y = NULL, linetype = "inside",
+      alt = paste0("Ellipses of ", paste(sub("\n", "", label[known]), collapse = ", "), "; ", said, ".")
+    ) +
+    plot_theme(base_size) +
+    ggplot2::theme(strip.placement = "outside")
+}
+
+#' @rdname autoplot.rot_fit
+#' @exportS3Method ggplot2::autoplot
+autoplot.rot_fit_design <- function(object, ..., base_size = 13) {
+  call <- check_plot(base_size, ...)
+  if (!all(c("candidate", "unknown", "ratio") %in% names(object))) {
+    abort_form("", "object", "fit design", call)
+  }
+  rows <- as.data.frame(object)
+  rows <- rows[is.finite(rows$ratio), ]
+  best <- rows[which.min(rows$ratio), ]
+  rows$candidate <- factor(rows$candidate, rev(unique(rows$candidate)))
+  rows$unknown <- sub("$", "$\n", rows$unknown, fixed = TRUE)
+  rows$unknown <- factor(rows$unknown, unique(rows$unknown))
+  said <- paste0("smallest: ", best$unknown, " by ", best$candidate, ", ",
+                 format(best$ratio, digits = 2), " of the standard error now")
+  ggplot2::ggplot(rows, ggplot2::aes(.data$ratio, .data$candidate)) +
+    ggplot2::geom_vline(xintercept = 1, colour = "grey60", linetype = "dashed") +
+    ggplot2::geom_segment(ggplot2::aes(xend = 1, yend = .data$candidate), colour = "grey70",
+                          linewidth = 0.1 * base_size) +
+    ggplot2::geom_point(colour = plot_colours[1], size = 0.25 * base_size) +
+    ggplot2::facet_wrap(~unknown) +
+    ggplot2::scale_x_continuous(limits = c(0, NA), breaks = plot_breaks(base_size, 3)) +
+    ggplot2::labs(
+      title = wrap_title("What a further record would do", base_size),
+      subtitle = wrap_subtitle(said, base_size),
+      x = "standard error with it, relative to that now", y = NULL,
+      alt = paste0("Ratios of standard errors for each unknown and candidate; ", said, ".")
+    ) +
+    plot_theme(base_size)
 }

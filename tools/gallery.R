@@ -114,6 +114,16 @@ classes <- alist(
     scene_axle(0.0625, resistance = resistance(0.006, 0, 0.05), omega0_rad_per_s = 20), coast,
     c("resistance$coulomb_n_m", "resistance$viscous_n_m_s", "omega0_rad_per_s")
   ),
+  rot_fit_design = fit_design(
+    fit_scene(
+      scene_axle(0.0625, resistance = resistance(0.006, 0, 0.05), omega0_rad_per_s = 20), coast,
+      c("resistance$coulomb_n_m", "resistance$viscous_n_m_s", "omega0_rad_per_s")
+    ),
+    list(
+      again = planned_record(seq(0, 10, by = 0.1), "theta_rad"),
+      longer = planned_record(seq(0, 40, by = 0.1), "theta_rad")
+    )
+  ),
   rot_swing_fit = fit_swing(motion_record(swing, time_s = time_s, theta_rad = theta_rad)),
   rot_pooled_periods = pool_periods(timed$time_s, swings = 10, group = timed$who),
   rot_uncertainty_budget = uncertainty_budget(
