@@ -20,8 +20,8 @@
 #' @param ... For `print()` and `as.double()`: not used. For `c()`: measured numbers.
 #' @param digits For `format()`: digits of the uncertainty.
 #' @return `measured()`: an object of class `rot_measured`, a list with `value`, `u`, `dof`, `name`
-#'   and `parts`, the independent contributions by identity; of a fit a list of them, by the names of
-#'   the unknowns that have a standard error. `as.double()` gives the value, `c()` the values of
+#'   and `parts`, the independent contributions by identity; of a fit a list of them, by the names
+#'   of the unknowns that have a standard error. `as.double()` gives the value, `c()` the values of
 #'   several, with their names.
 #'
 #'   `format()`: the concise form, `127.732(71)`. NA, NaN and Inf are errors.

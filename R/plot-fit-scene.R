@@ -209,7 +209,9 @@ plot_fit_pairs <- function(object, fit, base_size, call) {
     ggplot2::labs(
       title = wrap_title("Pairs of unknowns", base_size),
       subtitle = wrap_subtitle(said, base_size), x = NULL, y = NULL, linetype = "inside",
-      alt = paste0("Ellipses of ", paste(sub("\n", "", label[known]), collapse = ", "), "; ", said, ".")
+      alt = paste0(
+        "Ellipses of ", paste(sub("\n", "", label[known]), collapse = ", "), "; ", said, "."
+      )
     ) +
     plot_theme(base_size) +
     ggplot2::theme(strip.placement = "outside")
