@@ -128,10 +128,9 @@ print.rot_planned_record <- function(x, ...) {
 information_of_fit <- function(fit) {
   m <- nrow(fit$about$parameters)
   triangle <- matrix(fit$found$triangle, m, byrow = TRUE)
-  moved <- which(fit$found$held == 0)
-  if (!length(moved)) return(triangle)
-  first <- moved[1]
-  triangle / (matrix(fit$found$factor, m, byrow = TRUE)[first, first] * triangle[first, first])
+  factor <- diag(matrix(fit$found$factor, m, byrow = TRUE))
+  first <- which(factor > 0)
+  if (length(first)) triangle / (factor[first[1]] * triangle[first[1], first[1]]) else triangle
 }
 
 # That of a planned record, with columns behind those of the fit for what is unknown in it alone.
@@ -230,7 +229,9 @@ errors_with <- function(fit, now, further) {
   total <- total[, moved, drop = FALSE]
   length <- sqrt(colSums(total^2))
   parts <- svd(t(t(total) / length))
-  some <- parts$d > max(parts$d) * 3e-7
+  # Directions that neither has are off by the errors of differences, 1e-7 of the largest each: of
+  # a thrown body 6e-7.
+  some <- parts$d > max(parts$d) * 1e-5
   spread <- parts$v[, some, drop = FALSE] %*% diag(1 / parts$d[some], sum(some)) / length
   error <- rep(NaN, ncol(further))
   error[moved] <- sqrt(rowSums(spread^2))

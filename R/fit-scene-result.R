@@ -47,7 +47,7 @@ new_scene_fit <- function(about, found, call) {
   upper <- ifelse(p$log, x * exp(half), x + half)
   status <- rep("determined", m)
   held <- found$held != 0
-  free <- free_directions(found, about)
+  free <- found$free
   lost <- if (is.null(free)) rep(FALSE, m) else free$takes_part
   failed <- found$numbers[1] != 0
   error[lost | failed | held] <- NaN
@@ -144,7 +144,8 @@ free_words <- function(fit) {
 #' @export
 print.rot_fit <- function(x, ...) {
   fit <- attr(x, "fit", exact = TRUE)
-  if (is.null(fit) || !"value" %in% names(x)) return(NextMethod())
+  whole <- all(fit_columns %in% names(x)) && nrow(x) == nrow(fit$about$parameters)
+  if (is.null(fit) || !whole) return(NextMethod())
   about <- fit$about
   numbers <- fit$found$numbers
   cat("<rot_fit> ", setdiff(names(about$node), "scene_format")[1], ", ",

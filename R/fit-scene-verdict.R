@@ -22,7 +22,9 @@ verdict_rows <- function(fit) {
       p_size <- if (known) stats::pchisq(size, max(one$n, 1), lower.tail = FALSE) else NA_real_
       gone <- if (is.null(left)) integer() else left$row[left$record == r & left$column == k]
       reasons <- c(
-        if (one$at_cap) "waves longer than a tenth of the record",
+        if (one$at_cap && one$gain > stats::qchisq(0.999, 2)) {
+          "waves longer than a tenth of the record"
+        },
         if (scan$p < 1e-3) "the residuals drift",
         if (known && p_size < 1e-3) paste0(
           "they are ", format(sqrt(size / one$n), digits = 2), " times the noise given"

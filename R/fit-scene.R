@@ -113,9 +113,9 @@ fit_scene <- function(scene, records, unknown, ..., per_record = character(), ob
   about$prior <- check_priors(prior, about, call)
   about$problem <- fit_problem(about, call)
   found <- solve_fit(about, starts, call)
-  if (about$outliers == "keep") return(new_scene_fit(about, found, call))
-  cleaned <- without_outliers(about, found)
-  new_scene_fit(cleaned$about, cleaned$found, call)
+  cleaned <- list(about = about, found = found)
+  if (about$outliers != "keep") cleaned <- without_outliers(about, found)
+  new_scene_fit(cleaned$about, without_drift(cleaned$about, cleaned$found), call)
 }
 
 # ---- checks -------------------------------------------------------------------------------------
@@ -339,6 +339,40 @@ solve_fit <- function(about, starts, call) {
 misfit_of <- function(found) {
   noise <- matrix(found$noise, noise_numbers)
   sum(noise[1L, ] * log(noise[2L, ])) + found$numbers[2] / 2
+}
+
+# Along directions in which the motion does not change the search drifts: with one unknown of each
+# held at its start (`hold`) the fit is that nearest to it. Columns of what is held follow from
+# J v = 0.
+without_drift <- function(about, found) {
+  p <- about$parameters
+  free <- if (found$numbers[1] == 0) free_directions(found, about)
+  if (is.null(free)) return(found)
+  found$free <- free
+  v <- free$v
+  hold <- integer()
+  for (k in seq_len(ncol(v))) {
+    hold[k] <- which.max(abs(v[, k]) * !seq_len(nrow(v)) %in% hold)
+  }
+  if (kappa(v[hold, , drop = FALSE]) > 1e6) return(found)
+  variable <- function(x) ifelse(p$log, log(x), x)
+  along <- solve(v[hold, , drop = FALSE], (variable(p$start) - variable(found$x))[hold])
+  u <- variable(found$x) + drop(v %*% along)
+  problem <- about$problem
+  problem$start <- pmin(pmax(ifelse(p$log, exp(u), u), problem$low), problem$high)
+  problem$start[hold] <- problem$low[hold] <- problem$high[hold] <- p$start[hold]
+  again <- .Call(ffi_fit, problem, NULL)
+  if (!is.null(again$refused) || again$numbers[1] != 0) return(found)
+  triangle <- matrix(again$triangle, nrow(p), byrow = TRUE)
+  rest <- -triangle[, -hold, drop = FALSE] %*% v[-hold, , drop = FALSE]
+  triangle[, hold] <- rest %*% solve(v[hold, , drop = FALSE])
+  again$triangle <- as.double(t(triangle))
+  again$held[hold] <- 0
+  again$numbers[3] <- found$numbers[3]
+  again$numbers[5:6] <- again$numbers[5:6] + found$numbers[5:6]
+  again$others <- found$others
+  again$free <- free
+  again
 }
 
 # ---- outliers -----------------------------------------------------------------------------------

@@ -47,6 +47,8 @@ test_that("a ball that slips, then rolls", {
   expect_identical(info$dof, 89)
   expect_true(info$converged)
   expect_output(print(fit), "static_friction +0.1[12].*noise of x_m: 0.0")
+  expect_output(print(fit[c("unknown", "value")]), "tibble: 2 x 2|tibble: 2 . 2")
+  expect_output(print(fit[1, ]), "static_friction")
 })
 
 test_that("standard errors are those of linear regression where the motion is linear", {
