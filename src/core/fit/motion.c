@@ -24,6 +24,11 @@ struct rot_fit_motion {
   size_t rows_per_time;
   void *column[ROT_MAX_COLUMNS];
   rows base, up, down, far_up, far_down;
+  int has_base;   /* base is the run of input and shift_s */
+  double up_step; /* up has the input of find_step() moved by it */
+  double *slope;  /* by each input and the shift, at the base */
+  int *has_slope;
+  size_t runs;
   rot_store store;
 };
 
@@ -40,7 +45,10 @@ static rot_status open_memory(rot_fit_motion *m) {
   m->input = rot_store_get(&m->store, plan->n_inputs + 1, sizeof *m->input);
   m->time_s = rot_store_get(&m->store, plan->n + 1, sizeof *m->time_s);
   double *columns = rot_store_get(&m->store, m->constraint->n_columns * each, sizeof *columns);
-  if (!m->input || !m->time_s || !columns) return ROT_ENOMEM;
+  m->slope = rot_store_get(&m->store, (plan->n_inputs + 1) * plan->n_columns * plan->n + 1,
+                           sizeof *m->slope);
+  m->has_slope = rot_store_get(&m->store, plan->n_inputs + 1, sizeof *m->has_slope);
+  if (!m->input || !m->time_s || !columns || !m->slope || !m->has_slope) return ROT_ENOMEM;
   for (size_t i = 0; i < m->constraint->n_columns; i++) m->column[i] = columns + i * each;
   return open_rows(m, &m->base) && open_rows(m, &m->up) && open_rows(m, &m->down) &&
                  open_rows(m, &m->far_up) && open_rows(m, &m->far_down)
@@ -76,6 +84,7 @@ void rot_fit_motion_close(rot_fit_motion *m) {
 
 const rot_constraint *rot_fit_motion_constraint(const rot_fit_motion *m) { return m->constraint; }
 const rot_model *rot_fit_motion_model(const rot_fit_motion *m) { return m->model; }
+size_t rot_fit_motion_runs(const rot_fit_motion *m) { return m->runs; }
 
 /* ---- a run ----------------------------------------------------------------------------------- */
 
@@ -102,6 +111,7 @@ static rot_status run_scene(rot_fit_motion *m, const void *scene, double shift_s
                          .max_steps = (size_t)fmin(plan->max_steps, 1e15) + plan->n};
   const rot_rows want = {.column = m->column, .whole = 1};
   rot_outcome o;
+  m->runs++;
   o.events = (rot_events){0};
   rot_status status = ROT_OK;
   if (rot_run_rows_per_time(m->constraint, scene) != m->rows_per_time) return ROT_EVALUE;
@@ -136,10 +146,18 @@ static rot_status run_moved(rot_fit_motion *m, size_t j, double h, rows *to) {
 rot_status rot_fit_motion_at(rot_fit_motion *m, const double input[], double shift_s,
                              double value[], double *error) {
   const rot_fit_motion_plan *plan = m->plan;
-  if (plan->n_inputs) memcpy(m->input, input, plan->n_inputs * sizeof *input);
-  m->shift_s = shift_s;
-  const rot_status status = run_moved(m, plan->n_inputs + 1, 0.0, &m->base);
-  if (status != ROT_OK) return status;
+  const size_t size = plan->n_inputs * sizeof *input;
+  const int same =
+      m->has_base && m->shift_s == shift_s && (!size || memcmp(m->input, input, size) == 0);
+  if (!same) {
+    if (size) memcpy(m->input, input, size);
+    m->shift_s = shift_s;
+    m->has_base = 0;
+    memset(m->has_slope, 0, (plan->n_inputs + 1) * sizeof *m->has_slope);
+    const rot_status status = run_moved(m, plan->n_inputs + 1, 0.0, &m->base);
+    if (status != ROT_OK) return status;
+    m->has_base = 1;
+  }
   memcpy(value, m->base.value, plan->n_columns * plan->n * sizeof *value);
   if (error) *error = m->base.error;
   return ROT_OK;
@@ -219,6 +237,7 @@ static rot_status find_step(rot_fit_motion *m, size_t j, double low, double high
   const double x = j < m->plan->n_inputs ? m->input[j] : m->shift_s;
   const double error = fmax(m->base.error, 4.0 * DBL_EPSILON), target = cbrt(error);
   double size = *h > 0.0 ? *h : fmax(target * fabs(x), 1e-9);
+  m->up_step = 0.0;
   for (int round = 0; round < 40; round++) {
     const double step = step_in(x, size, low, high);
     rot_status status = step != 0.0 ? run_moved(m, j, step, &m->up) : ROT_EVALUE;
@@ -229,6 +248,7 @@ static rot_status find_step(rot_fit_motion *m, size_t j, double low, double high
     }
     const double change = change_of(m, &m->up);
     *h = size;
+    m->up_step = step;
     if (change > 0.2 * target && change < 5.0 * target) return ROT_OK;
     if (change == 0.0 && size > 1e6 * fmax(fabs(x), 1.0)) return ROT_OK; /* it has no effect */
     if (fabs(step) < size && change < target) return ROT_OK;             /* the domain ends */
@@ -238,20 +258,25 @@ static rot_status find_step(rot_fit_motion *m, size_t j, double low, double high
   return ROT_OK;
 }
 
-rot_status rot_fit_motion_slope(rot_fit_motion *m, size_t j, double low, double high, double *size,
-                                double slope[]) {
+/* The run with input j moved by h; find_step() may have left it in up. */
+static rot_status run_up(rot_fit_motion *m, size_t j, double h) {
+  return m->up_step == h ? ROT_OK : run_moved(m, j, h, &m->up);
+}
+
+static rot_status new_slope(rot_fit_motion *m, size_t j, double low, double high, double *size,
+                            double slope[]) {
   const double x = j < m->plan->n_inputs ? m->input[j] : m->shift_s;
   rot_status status = find_step(m, j, low, high, size);
   if (status != ROT_OK) return status;
   const double step = step_in(x, *size, low, high), h = fabs(step);
   const int both = x + h <= high && x - h >= low;
   if (!both) { /* at the edge of the domain: one side */
-    status = run_moved(m, j, step, &m->up);
+    status = run_up(m, j, step);
     if (status == ROT_OK) status = run_moved(m, j, 2.0 * step, &m->far_up);
     if (status == ROT_OK) differences(m, step, &m->up, NULL, &m->far_up, NULL, slope);
     return status;
   }
-  status = run_moved(m, j, h, &m->up);
+  status = run_up(m, j, h);
   if (status == ROT_OK) status = run_moved(m, j, -h, &m->down);
   if (status != ROT_OK) return status;
   const int up = one_sided(m, &m->up, &m->down), down = one_sided(m, &m->down, &m->up);
@@ -259,5 +284,18 @@ rot_status rot_fit_motion_slope(rot_fit_motion *m, size_t j, double low, double 
   const int has_down = down && run_moved(m, j, -2.0 * h, &m->far_down) == ROT_OK;
   differences(m, h, &m->up, &m->down, has_up ? &m->far_up : NULL, has_down ? &m->far_down : NULL,
               slope);
+  return ROT_OK;
+}
+
+rot_status rot_fit_motion_slope(rot_fit_motion *m, size_t j, double low, double high, double *size,
+                                double slope[]) {
+  const size_t n = m->plan->n_columns * m->plan->n;
+  double *own = m->slope + j * n;
+  if (!m->has_slope[j]) {
+    const rot_status status = new_slope(m, j, low, high, size, own);
+    if (status != ROT_OK) return status;
+    m->has_slope[j] = 1;
+  }
+  memcpy(slope, own, n * sizeof *slope);
   return ROT_OK;
 }

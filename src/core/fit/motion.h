@@ -32,7 +32,7 @@ rot_status rot_fit_motion_open(const rot_fit_motion_plan *plan, rot_fit_motion *
 void rot_fit_motion_close(rot_fit_motion *motion);
 
 /* (inputs, shift of the times) => column k at time i in value[k * n + i], and the largest relative
- * error. ROT_EVALUE: refused. */
+ * error. ROT_EVALUE: refused. The same point again runs nothing, nor do its derivatives. */
 rot_status rot_fit_motion_at(rot_fit_motion *motion, const double input[], double shift_s,
                              double value[], double *error);
 
@@ -42,8 +42,9 @@ rot_status rot_fit_motion_at(rot_fit_motion *motion, const double input[], doubl
 rot_status rot_fit_motion_slope(rot_fit_motion *motion, size_t j, double low, double high,
                                 double *size, double slope[]);
 
-/* => the constraint, model of the last run (NULL: none) */
+/* => the constraint, model of the last run (NULL: none), number of runs */
 const rot_constraint *rot_fit_motion_constraint(const rot_fit_motion *motion);
 const rot_model *rot_fit_motion_model(const rot_fit_motion *motion);
+size_t rot_fit_motion_runs(const rot_fit_motion *motion);
 
 #endif

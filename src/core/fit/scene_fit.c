@@ -157,6 +157,7 @@ static rot_status open_work(work *w, rot_refusal *no) {
 
 static void close_work(work *w) {
   for (size_t r = 0; w->motions && r < w->problem->n_records; r++) {
+    if (w->motions[r]) w->fit->runs += rot_fit_motion_runs(w->motions[r]);
     rot_fit_motion_close(w->motions[r]);
   }
   rot_store_free(&w->store);
@@ -183,7 +184,6 @@ static rot_status motion_of(work *w, size_t r, double value[]) {
     const int k = record->unknown[i];
     w->input[i] = k == ROT_FIT_NONE ? record->value[i] : w->x[k];
   }
-  w->fit->runs++;
   const double shift = record->shift == ROT_FIT_NONE ? 0.0 : w->x[record->shift];
   double error = 0.0;
   const rot_status status = rot_fit_motion_at(w->motions[r], w->input, shift, value, &error);
@@ -265,7 +265,6 @@ static rot_status slopes_of(work *w, size_t r, size_t width) {
   for (size_t i = 0; i <= p->n_inputs; i++) {
     const int k = i < p->n_inputs ? record->unknown[i] : record->shift;
     if (k == ROT_FIT_NONE || w->fit->held[k]) continue;
-    w->fit->runs += 3;
     const rot_status status = rot_fit_motion_slope(w->motions[r], i, p->low[k], p->high[k],
                                                    &w->step[r * (p->n_inputs + 1) + i], own);
     if (status != ROT_OK) return status;
