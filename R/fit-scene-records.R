@@ -81,6 +81,13 @@ fit_observables <- function(scene, call) {
   sub("^final_", "", grep("^final_", outputs, value = TRUE))
 }
 
+# Counts that go to and fro are digits with noise, not times at which something passed.
+trembles <- function(y) {
+  moved <- sign(diff(y[!is.nan(y)]))
+  moved <- moved[moved != 0]
+  sum(diff(moved) != 0) > length(moved) / 4
+}
+
 # A record with the least s.d. of its columns, of counters D/sqrt(12). Of a counter's record alone
 # the slow counts are replaced by the times between them, and samples have weights: s.d. in those
 # of a count. At rest a counter has one error: the rest is one sample.
@@ -94,7 +101,7 @@ by_edges <- function(record) {
   }, double(1))
   record$floor <- as.list(step / sqrt(12))
   record$all <- record$series
-  if (length(step) > 1L || step == 0) return(record)
+  if (length(step) > 1L || step == 0 || trembles(record$series[[1]])) return(record)
   y <- replace(record$series[[1]], is.nan(record$series[[1]]), NA)
   edges <- edges_of(list(
     rates_only = FALSE, omega = NULL, step = step, theta = y, segment = segment,

@@ -342,3 +342,19 @@ test_that("what a constructor made of others follows when those vary", {
   both <- fit_scene(suppressMessages(lane(2, NULL)), film, c("v0_m_per_s", "omega0_rad_per_s"))
   expect_equal(both$value, c(3, 10), tolerance = 1e-9)
 })
+
+test_that("digits that tremble are no counter", {
+  stops <- function(coulomb, omega0) {
+    scene_axle(0.5, resistance = resistance(coulomb_n_m = coulomb), omega0_rad_per_s = omega0)
+  }
+  time_s <- seq(0, 8, length.out = 120)
+  film <- as.data.frame(trajectory(stops(0.5, 6), time_s)[c("time_s", "theta_rad")])
+  set.seed(1)
+  film$theta_rad <- 0.1 * round(film$theta_rad / 0.1 + stats::rnorm(120, 0, 0.5))
+  fit <- fit_scene(stops(0.7, 5), film, c("resistance$coulomb_n_m", "omega0_rad_per_s"))
+  expect_identical(glance(fit)$samples, 120)
+  # White noise and rounding: sqrt(0.25 + 1/12) of a digit.
+  expect_equal(stats::sd(augment(fit)$residual), 0.1 * sqrt(1 / 3),
+               tolerance = 0.15)
+  expect_true(all(abs(fit$value - c(0.5, 6)) < 3 * fit$standard_error))
+})
