@@ -49,7 +49,8 @@ line("fit_scene(), noise = \"white\"", ours, note = sprintf("%g runs", glance(fi
 found <- function() fit_scene(start, moving, unknown)
 line("fit_scene()", milliseconds(found), note = sprintf("%g runs", glance(found())$runs))
 given <- function() fit_scene(start, moving, unknown, noise = c(theta_rad = 0.01))
-line("fit_scene(), noise given", milliseconds(given), note = sprintf("%g runs", glance(given())$runs))
+line("fit_scene(), noise given", milliseconds(given),
+     note = sprintf("%g runs", glance(given())$runs))
 
 angle <- function(t, viscous, coulomb, theta0, omega0) {
   rest <- coulomb / viscous

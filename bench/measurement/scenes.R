@@ -5,9 +5,9 @@
 #
 # A line for each experiment: the share of intervals at 68 and 95 % that hold the true value, the
 # records whose law was called incomplete though it is not, and what failed. Over all: 68 % within
-# 60 to 76, 95 % within 91 to 98.5. Where a record does not determine an unknown each fit must say so
-# and claim no interval. With few records an experiment alone is judged by four standard errors of
-# its share.
+# 60 to 76, 95 % within 91 to 98.5. Where a record does not determine an unknown each fit must say
+# so and claim no interval. With few records an experiment alone is judged by four standard errors
+# of its share.
 
 library(rotdyn)
 arguments <- commandArgs(TRUE)
@@ -69,8 +69,8 @@ experiments <- list(
   ),
   "thrown body, ratios" = experiment(
     function(p) scene_free(c(1, p[1], p[2]), c(0.3, p[3], 0.5)),
-    c(path("body", 2), path("body", 3), path("omega0_rad_per_s", 2)), c(2, 2.6, 8), c(1.8, 2.5, 8.2),
-    rates, 1, 80, 0.02, 0.05
+    c(path("body", 2), path("body", 3), path("omega0_rad_per_s", 2)), c(2, 2.6, 8),
+    c(1.8, 2.5, 8.2), rates, 1, 80, 0.02, 0.05
   ),
   "heavy top" = experiment(
     function(p) scene_pivot(c(0.02, 0.02, 0.01), c(0, 1, p[2]), mass_kg = p[1],
