@@ -197,8 +197,9 @@ for (i in seq_len(nrow(cases))) {
               if (good) "" else "outside"))
 }
 ends <- mean(all68) >= 0.60 && mean(all68) <= 0.76 && mean(all95) >= 0.91 && mean(all95) <= 0.985
-cat(sprintf("all: 68 %% intervals hold %.3f, 95 %% hold %.3f: %s; laws called incomplete: %d of %d\n",
-            mean(all68), mean(all95), if (ends) "within" else "outside", alarms,
-            records * nrow(cases)))
+cat(sprintf(
+  "all: 68 %% intervals hold %.3f, 95 %% hold %.3f: %s; laws called incomplete: %d of %d\n",
+  mean(all68), mean(all95), if (ends) "within" else "outside", alarms, records * nrow(cases)
+))
 cat(passed, "of", nrow(cases), "experiments passed\n")
 quit(status = as.integer(!ends || passed < nrow(cases)))
