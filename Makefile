@@ -3,7 +3,7 @@
 .DEFAULT_GOAL := help
 .PHONY: help demo gallery test core snapshots bench document format objects
 .PHONY: check-valgrind check-databases check-nosuggests check-manual check-coverage check-fuzz check-fuzz-sanitized
-.PHONY: check-kill-sweep check-remote
+.PHONY: check-kill-sweep check-remote check-architectures
 .PHONY: map check-animations check-damage check-interrupt check-lessons check-long check-measurement check-mutants check-scenes library examples
 
 help: ## this list
@@ -91,6 +91,9 @@ check-mutants: ## small wrong changes of the sources: do the tests notice: MUTAN
 
 check-measurement: ## do the error bars of measured motions hold the truth: RECORDS=500, SEED=
 	@sh tools/check-measurement.sh $(or $(RECORDS),500) $(SEED)
+
+check-architectures: ## the C core on arm64, i386, armhf, ppc64el, s390x: ARCHITECTURES= SCENES=1000 TESTS=no
+	@ARCHITECTURES="$(ARCHITECTURES)" SCENES="$(SCENES)" TESTS="$(TESTS)" sh tools/check-architectures.sh
 
 check-coverage: ## do the reported errors cover the true ones: SCENES=1000 of each class, SEED=
 	@sh tools/setup.sh coverage
