@@ -3,7 +3,7 @@
 .DEFAULT_GOAL := help
 .PHONY: help demo gallery test core snapshots bench document format objects
 .PHONY: check-valgrind check-databases check-nosuggests check-manual check-coverage check-fuzz check-fuzz-sanitized
-.PHONY: check-kill-sweep check-remote check-architectures
+.PHONY: check-kill-sweep check-remote check-architectures check-completion manpages
 .PHONY: map check-animations check-damage check-interrupt check-lessons check-long check-measurement check-mutants check-scenes library examples
 
 help: ## this list
@@ -94,6 +94,12 @@ check-measurement: ## do the error bars of measured motions hold the truth: RECO
 
 check-architectures: ## the C core on arm64, i386, armhf, ppc64el, s390x: ARCHITECTURES= SCENES=1000 TESTS=no
 	@ARCHITECTURES="$(ARCHITECTURES)" SCENES="$(SCENES)" TESTS="$(TESTS)" sh tools/check-architectures.sh
+
+check-completion: ## completions of bash, zsh and fish, typed under a terminal
+	@sh tools/check-completion.sh
+
+manpages: ## manual pages of the command line in man1/, from the installed package: DIR=
+	@sh tools/manpages.sh $(DIR)
 
 check-coverage: ## do the reported errors cover the true ones: SCENES=1000 of each class, SEED=
 	@sh tools/setup.sh coverage

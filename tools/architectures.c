@@ -1,6 +1,6 @@
 /* 1,000 random scenes as lines of text, for the comparison of processors (check-architectures.sh).
  *
- *   architectures run [SCENES]     a line for each scene: its number, its text's hash, words, numbers
+ *   architectures run [SCENES]     a line for each scene
  *   architectures compare A B      two such files: what is equal, what is within the error figures
  *
  * The numbers of the scenes come from integers alone, so that all processors describe the same
@@ -8,8 +8,8 @@
  *
  *   I TEXT-HASH STATUS MODEL ROWS ERROR COLUMNS NUMBERS...
  *
- * TEXT-HASH is that of the inputs as JSON numbers, of the constructor, the columns, the words of the
- * choice and the names of the events. ERROR and the numbers are doubles in hexadecimal. */
+ * TEXT-HASH is that of the inputs as JSON numbers, of the constructor, the columns, the words of
+ * the choice and the names of the events. ERROR and the numbers are doubles in hexadecimal. */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -486,8 +486,8 @@ static double difference(const scene_line *a, const scene_line *b) {
   return worst;
 }
 
-/* The bound of a difference: both error figures, which are of angles, speeds and momenta, ten times,
- * since torques and energies have squares of them; and rounding in the columns. */
+/* The bound of a difference: both error figures, which are of angles, speeds and momenta, ten
+ * times, since torques and energies have squares of them; and rounding in the columns. */
 static double allowed(const scene_line *a, const scene_line *b) {
   return 10.0 * (a->error + b->error) + 1e-12;
 }

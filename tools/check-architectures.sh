@@ -39,7 +39,8 @@ prepare_apt() {
   . /etc/os-release
   mirror=$(cat /etc/apt/sources.list /etc/apt/sources.list.d/*.sources \
     /etc/apt/sources.list.d/*.list 2> /dev/null |
-    sed -n 's/^URIs: *\([^ ]*debian\)\/*$/\1/p; s/^deb .*\(http[^ ]*debian\)\/* .*/\1/p' | head -n 1)
+    sed -n 's/^URIs: *\([^ ]*debian\)\/*$/\1/p; s/^deb .*\(http[^ ]*debian\)\/* .*/\1/p' |
+    head -n 1)
   test "$ID" = debian && test -n "$mirror" || return 1
   mkdir -p "$work/apt/lists/partial" "$work/apt/cache/archives/partial"
   : > "$work/apt/status"
