@@ -3,7 +3,8 @@
 #' Writes a command, `rotdyn`, that runs this package from a shell, with this R and these libraries.
 #' `rotdyn help` lists its verbs: motions of scenes, the choice of a model, audits, rolling,
 #' inertia, records; `rotdyn batch` runs many lines in one process, `rotdyn man` writes manual
-#' pages, `rotdyn completion` completes words in bash, zsh and fish. `vignette("records")` shows them.
+#' pages, `rotdyn completion` completes words in bash, zsh and fish. `vignette("records")` shows
+#' them.
 #'
 #' Data goes to standard output, words to standard error. Neither the user's nor the site's profile
 #' is read. Exit status: 0 done; 1 done, and the answer is no; 2 wrong usage; 3 unreadable or
