@@ -3,7 +3,7 @@
 .DEFAULT_GOAL := help
 .PHONY: help demo gallery test core snapshots bench document format objects
 .PHONY: check-valgrind check-databases check-nosuggests check-manual check-coverage check-fuzz check-fuzz-sanitized
-.PHONY: check-kill-sweep check-remote
+.PHONY: check-kill-sweep check-remote check-architectures check-completion manpages deb check-cran
 .PHONY: map check-animations check-damage check-interrupt check-lessons check-long check-measurement check-mutants check-scenes library examples
 
 help: ## this list
@@ -40,8 +40,11 @@ document: ## make NAMESPACE and man/ from the comments in R/
 	@Rscript -e 'roxygen2::roxygenise(load_code = roxygen2::load_installed)'
 	@./cleanup
 
-library: ## the core as a library of C, with its header: PREFIX= where
-	@sh tools/library.sh $(PREFIX)
+library: ## the core as a library of C, with its header: PREFIX= DESTDIR= LIBDIR= LDFLAGS=
+	@DESTDIR="$(DESTDIR)" LIBDIR="$(LIBDIR)" LDFLAGS="$(LDFLAGS)" sh tools/library.sh $(PREFIX)
+
+deb: ## Debian packages by packaging/debian, checked by lintian: DIR= where
+	@sh tools/debian.sh $(DIR)
 
 examples: ## the programs of inst/examples, compared with R
 	@sh tools/examples.sh
@@ -91,6 +94,18 @@ check-mutants: ## small wrong changes of the sources: do the tests notice: MUTAN
 
 check-measurement: ## do the error bars of measured motions hold the truth: RECORDS=500, SEED=
 	@sh tools/check-measurement.sh $(or $(RECORDS),500) $(SEED)
+
+check-architectures: ## the C core on arm64, i386, armhf, ppc64el, s390x: ARCHITECTURES= SCENES=1000 TESTS=no
+	@ARCHITECTURES="$(ARCHITECTURES)" SCENES="$(SCENES)" TESTS="$(TESTS)" sh tools/check-architectures.sh
+
+check-cran: ## the check as CRAN runs it: verdicts, processor time by part, licences: VIGNETTES=no
+	@VIGNETTES="$(VIGNETTES)" sh tools/check-cran.sh
+
+check-completion: ## completions of bash, zsh and fish, typed under a terminal
+	@sh tools/check-completion.sh
+
+manpages: ## manual pages of the command line in man1/, from the installed package: DIR=
+	@sh tools/manpages.sh $(DIR)
 
 check-coverage: ## do the reported errors cover the true ones: SCENES=1000 of each class, SEED=
 	@sh tools/setup.sh coverage

@@ -61,7 +61,9 @@ set_default_verbs <- function() {
   generics <- asNamespace("generics")
   verbs <- list(augment = augment_unknown, glance = glance_unknown)
   for (verb in names(verbs)) {
-    if (is.null(utils::getS3method(verb, "default", optional = TRUE, envir = generics))) {
+    # As utils::getS3method() finds it, which loads tools: a fifth of the time to load the package.
+    method <- paste0(verb, ".default")
+    if (is.null(generics[[".__S3MethodsTable__."]][[method]]) && is.null(generics[[method]])) {
       registerS3method(verb, "default", verbs[[verb]], envir = generics)
     }
   }

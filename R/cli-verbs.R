@@ -1,14 +1,19 @@
 # The verbs of the command line, a record each: help, completion and tests are made from this table.
 #   name, usage (its words), words (least, most), help (lines), options, needs (options by name),
-#   example; run(words, options, state) returns what cli-output.R writes.
+#   example, values (function of the verbs: words that completion offers first);
+#   run(words, options, state) returns what cli-output.R writes.
 
-cli_verb <- function(name, usage, words, help, options, run, needs = NULL, example = NULL) {
+cli_verb <- function(name, usage, words, help, options, run, needs = NULL, example = NULL,
+                     values = NULL) {
   list(name = name, usage = usage, words = words, help = help, options = options, run = run,
-       needs = needs, example = example)
+       needs = needs, example = example, values = values)
 }
 
+cli_shape_names <- function(...) shape_table()$shape
+
 cli_verbs <- function() {
-  c(cli_motion_verbs(), cli_table_verbs(), cli_record_verbs(), cli_sweep_verbs(), cli_list_verbs())
+  c(cli_motion_verbs(), cli_table_verbs(), cli_record_verbs(), cli_sweep_verbs(),
+    cli_batch_verbs(), cli_list_verbs())
 }
 
 # ---- input --------------------------------------------------------------------------------------
@@ -111,11 +116,12 @@ cli_bind <- function(tables) {
 
 cli_axle_options <- function() {
   list(
-    cli_option("shape", "text", "of the body, one of `rotdyn shapes`, with its sizes"),
+    cli_option("shape", "text", "of the body, one of `rotdyn shapes`, with its sizes",
+               values = cli_shape_names),
     cli_option("moment-of-inertia-kg-m2", "number", "in place of a shape"),
     cli_option("mass-kg", "number", "of the shape"),
     cli_option("torque-n-m", "number", "a constant torque"),
-    cli_option("torque-file", "text", "CSV with time_s,torque_n_m: straight lines, 0 outside"),
+    cli_option("torque-file", "file", "CSV with time_s,torque_n_m: straight lines, 0 outside"),
     cli_option("viscous-n-m-s", "number", "resistance per angular velocity"),
     cli_option("quadratic-n-m-s2", "number", "drag per angular velocity squared"),
     cli_option("coulomb-n-m", "number", "dry friction"),
@@ -204,14 +210,15 @@ cli_body <- function(shape, options, verb) {
 cli_motion_verbs <- function() {
   times <- cli_option("times", "times", "output times in s", aka = "time-s")
   accuracy <- cli_option("accuracy", "number", "largest relative error wanted", 1e-9)
-  model <- cli_option("model", "text", "one of `rotdyn models`; without it the cheapest that fits")
+  model <- cli_option("model", "text", "one of `rotdyn models`; without it the cheapest that fits",
+                      values = function() models()$model)
   axle <- c(cli_axle_options(), unname(cli_size_options()))
   list(
     cli_verb(
       "trajectory", "[SCENE...]", c(0, Inf),
       c("the motion of scenes", "A scene is a file of JSON, `-`, or an axle by options."),
       c(list(times, accuracy, model), axle, list(
-        cli_option("record", "text", "a database (SQLite file) that records the runs, too")
+        cli_option("record", "file", "a database (SQLite file) that records the runs, too")
       )), cli_run_trajectory, "times",
       c("rotdyn trajectory wheel.json --times 0:8:0.01 > wheel.csv",
         "rotdyn trajectory --shape disk --mass-kg 2 --radius-m 0.25 --torque-n-m 0.8 --times 0:8:1")
@@ -297,7 +304,8 @@ cli_table_verbs <- function() {
   )
   bodies <- list(
     cli_option("beta", "numbers", "I/(m r^2); without bodies the five of the textbooks"),
-    cli_option("objects", "texts", "names of shapes, such as hoop,sphere")
+    cli_option("objects", "texts", "names of shapes, such as hoop,sphere",
+               values = cli_shape_names)
   )
   list(
     cli_verb(
@@ -324,7 +332,8 @@ cli_table_verbs <- function() {
       "inertia", "[SHAPE|CSV]", c(0, 1), "moments of inertia",
       c(list(cli_option("mass-kg", "number", "mass of the shape")), unname(cli_size_options())),
       cli_run_inertia, NULL,
-      c("rotdyn inertia disk --mass-kg 2 --radius-m 0.25", "rotdyn inertia bodies.csv")
+      c("rotdyn inertia disk --mass-kg 2 --radius-m 0.25", "rotdyn inertia bodies.csv"),
+      cli_shape_names
     ),
     cli_verb(
       "check-inertia", "FILE...", c(1, Inf),
@@ -577,7 +586,8 @@ cli_list_verbs <- function() {
         list(table = known[[words]])
       },
       example = c("rotdyn metadata units --format text",
-                  "rotdyn metadata --sql sqlite | sqlite3 lab.sqlite")
+                  "rotdyn metadata --sql sqlite | sqlite3 lab.sqlite"),
+      values = function(verbs) names(metadata())
     ),
     cli_verb(
       "version", "", c(0, 0), "versions of this package and of R", list(),
@@ -588,12 +598,28 @@ cli_list_verbs <- function() {
       }
     ),
     cli_verb(
-      "completion", "bash", c(1, 1), "a script that completes verbs and options", list(),
+      "completion", "bash|zsh|fish", c(1, 1),
+      "a script that completes verbs, options and their values", list(),
       function(words, options, state) {
-        if (words != "bash") abort_usage("completion is for `bash`", verb = "completion")
-        list(lines = cli_completion(state$verbs))
+        if (!words %in% cli_shells) {
+          abort_usage("completion is for ", paste0("`", cli_shells, "`", collapse = ", "),
+                      verb = "completion")
+        }
+        list(lines = cli_completion(state$verbs, words))
       },
-      example = "source <(rotdyn completion bash)"
+      example = c("source <(rotdyn completion bash)", "rotdyn completion fish | source"),
+      values = function(verbs) cli_shells
+    ),
+    cli_verb(
+      "man", "[VERB]", c(0, 1), "a manual page in roff: of this command, or of a verb", list(),
+      function(words, options, state) {
+        verb <- if (length(words)) state$verbs[[words]]
+        if (length(words) && is.null(verb)) {
+          abort_usage("unknown verb `", words, "`", verb = "man")
+        }
+        list(lines = cli_manual(state$verbs, verb))
+      },
+      example = "rotdyn man trajectory > rotdyn-trajectory.1", values = names
     ),
     cli_verb("help", "[VERB]", c(0, 1), "this overview, or a verb's options", list(),
       function(words, options, state) {
@@ -601,7 +627,7 @@ cli_list_verbs <- function() {
         verb <- state$verbs[[words]]
         if (is.null(verb)) abort_usage("unknown verb `", words, "`")
         list(lines = cli_help(verb))
-      }
+      }, values = names
     )
   )
 }

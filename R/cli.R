@@ -16,7 +16,7 @@ cli_main <- function() quit("no", cli_run(commandArgs(TRUE)), FALSE)
 # One command line. Data goes to `out`, words to `err`, both functions of lines; returns the status.
 # Only interrupts and a reader that left pass through as conditions, and are caught here too.
 cli_run <- function(arguments, out = cli_to_stdout, err = cli_to_stderr, input = "stdin",
-                    terminal = isatty(stdout()), verbs = cli_verbs()) {
+                    terminal = isatty(stdout()), verbs = cli_verbs(), read = FALSE) {
   old <- options(
     cli.unicode = FALSE, cli.num_colors = 1L, cli.progress_show_after = Inf, width = 100L,
     OutDec = ".", scipen = 0L, digits = 7L
@@ -24,7 +24,10 @@ cli_run <- function(arguments, out = cli_to_stdout, err = cli_to_stderr, input =
   on.exit(options(old))
   state <- new.env(parent = emptyenv())
   state$status <- cli_status[["done"]]
-  state$json <- any(arguments %in% c("--format=json", "--format=jsonl")) ||
+  state$out <- out
+  state$err <- err
+  state$read <- read # whether standard input is taken
+  state$json <- any(arguments %in% c("--json", "--format=json", "--format=jsonl")) ||
     any(arguments[-1L] %in% c("json", "jsonl") &
           arguments[-length(arguments)] == "--format")
   state$quiet <- "--quiet" %in% arguments
@@ -125,15 +128,19 @@ cli_fault <- function(e, state) {
 
 # ---- words and options --------------------------------------------------------------------------
 
-# An option: type "flag", "text", "texts", "number", "numbers", "times"; `choices` of a text.
-cli_option <- function(name, type, help, default = NULL, choices = NULL, aka = NULL) {
-  list(name = name, type = type, help = help, default = default, choices = choices, aka = aka)
+# An option: type "flag", "text", "texts", "file", "number", "numbers", "times"; `choices`: the only
+# values of a text; `values()`: those that completion offers.
+cli_option <- function(name, type, help, default = NULL, choices = NULL, aka = NULL,
+                       values = NULL) {
+  list(name = name, type = type, help = help, default = default, choices = choices, aka = aka,
+       values = values)
 }
 
 cli_common <- function() {
   list(
     cli_option("format", "text", "text on a terminal, else csv", NULL, cli_formats),
-    cli_option("out", "text", "a file for the data, in place of standard output"),
+    cli_option("json", "flag", "the same as --format json"),
+    cli_option("out", "file", "a file for the data, in place of standard output"),
     cli_option("quiet", "flag", "no warnings and no messages"),
     cli_option("help", "flag", "this text")
   )
@@ -208,6 +215,7 @@ cli_value <- function(text, option, verb) {
     suppressWarnings(as.numeric(x))
   }
   switch(option$type,
+    file = ,
     text = {
       if (!nzchar(text)) wrong("a text")
       if (!is.null(option$choices) && !text %in% option$choices) {
@@ -285,6 +293,13 @@ cli_dispatch <- function(arguments, out, state, input, terminal, verbs) {
   if (length(needed)) abort_usage("`--", needed[1], "` is missing", verb = verb$name)
   state$input <- input
   state$verbs <- verbs
+  if (isTRUE(options$json)) {
+    if (!identical(options$format %||% "json", "json")) {
+      abort_usage("`--json` and `--format ", options$format, "` exclude each other",
+                  verb = verb$name)
+    }
+    options$format <- "json"
+  }
   result <- verb$run(parsed$words, options, state)
   state$file <- NULL
   format <- options$format %||% (if (terminal && is.null(options$out)) "text" else "csv")
@@ -313,11 +328,11 @@ abort_unwritten <- function(what, fault) {
 
 # ---- help ---------------------------------------------------------------------------------------
 
-cli_help <- function(verb) {
-  options <- c(verb$options, cli_common())
+# Options as they are written, and what they say.
+cli_option_texts <- function(options) {
   name <- vapply(options, function(o) {
-    paste0("--", o$name, switch(o$type, flag = "", text = " TEXT", texts = " A,B", number = " X",
-                                numbers = " X,Y", times = " FROM:TO:STEP"))
+    paste0("--", o$name, switch(o$type, flag = "", text = " TEXT", file = " FILE", texts = " A,B",
+                                number = " X", numbers = " X,Y", times = " FROM:TO:STEP"))
   }, "")
   help <- vapply(options, function(o) {
     paste0(
@@ -327,9 +342,14 @@ cli_help <- function(verb) {
       }
     )
   }, "")
+  list(name = name, help = help)
+}
+
+cli_help <- function(verb) {
+  text <- cli_option_texts(c(verb$options, cli_common()))
   c(
     trimws(paste("rotdyn", verb$name, verb$usage, "[--name value]..."), "right"), verb$help, "",
-    "Options", paste0("  ", format(name), "  ", help),
+    "Options", paste0("  ", format(text$name), "  ", text$help),
     if (length(verb$example)) c("", "Examples", paste0("  ", verb$example))
   )
 }
@@ -343,21 +363,5 @@ cli_overview <- function(verbs) {
     paste0("  ", format(unname(name)), "  ", help), "",
     "Data goes to standard output, words to standard error. `-` is standard input.",
     "rotdyn help VERB says more.", "", "Exit status", paste0("  ", format(codes))
-  )
-}
-
-# A function for bash, from the table.
-cli_completion <- function(verbs) {
-  name <- vapply(verbs, `[[`, "", "name")
-  each <- vapply(verbs, function(verb) {
-    options <- vapply(c(verb$options, cli_common()), `[[`, "", "name")
-    paste0("    ", verb$name, ") words=\"", paste0("--", options, collapse = " "), "\" ;;")
-  }, "")
-  c(
-    "_rotdyn() {", "  local words word=${COMP_WORDS[COMP_CWORD]}", "  case ${COMP_WORDS[1]} in",
-    each, "    *) words=\"\" ;;", "  esac",
-    paste0("  test \"$COMP_CWORD\" -gt 1 || words=\"", paste(name, collapse = " "), "\""),
-    "  COMPREPLY=($(compgen -W \"$words\" -- \"$word\"))", "}",
-    "complete -o default -F _rotdyn rotdyn"
   )
 }

@@ -2,14 +2,17 @@
 #'
 #' Writes a command, `rotdyn`, that runs this package from a shell, with this R and these libraries.
 #' `rotdyn help` lists its verbs: motions of scenes, the choice of a model, audits, rolling,
-#' inertia, records. `vignette("records")` shows them.
+#' inertia, records; `rotdyn batch` runs many lines in one process, `rotdyn man` writes manual
+#' pages, `rotdyn completion` completes words in bash, zsh and fish. `vignette("records")` shows
+#' them.
 #'
 #' Data goes to standard output, words to standard error. Neither the user's nor the site's profile
 #' is read. Exit status: 0 done; 1 done, and the answer is no; 2 wrong usage; 3 unreadable or
 #' impossible input, or output that cannot be written (a full disk); 4 no model reaches the
 #' accuracy; 70 a fault of this package; 130 interrupted; 141 the reader of the output left.
 #'
-#' @param dir A folder, better one on the PATH. It is made where it does not exist.
+#' @param dir A folder, better one on the PATH, such as `"~/.local/bin"`. It is made where it does
+#'   not exist.
 #' @param ... Not used: an unknown argument is an error.
 #' @param overwrite TRUE to replace a file that `install_cli()` did not write.
 #' @return The path of the command, invisibly.
@@ -25,7 +28,7 @@
 #' system2(command, c("roll", "--beta", "0.4", "--angle-deg", "20", "--height-m", "1"))
 #' }
 #' @export
-install_cli <- function(dir = "~/.local/bin", ..., overwrite = FALSE) {
+install_cli <- function(dir, ..., overwrite = FALSE) {
   call <- check_no_dots(...)
   dir <- check_file_name(dir, call, "dir", "folder")
   if (!isTRUE(overwrite) && !isFALSE(overwrite)) {

@@ -8,6 +8,10 @@ if (requireNamespace("testthat", quietly = TRUE)) {
   failed <- blocks$failed > 0 | blocks$error
   skipped <- !failed & blocks$skipped & blocks$passed == 0
   files <- setdiff(list.files("testthat", "^test.*[.]R$"), blocks$file)
+  # For tools/check-times.R.
+  time <- sort(tapply(blocks$user + blocks$system, blocks$file, sum), decreasing = TRUE)
+  cat(sprintf("processor time: %6.1f s  %s\n", utils::head(time, 12), names(utils::head(time, 12))),
+      sep = "")
   cat(sprintf(
     "testthat: %d passed, %d failed, %d skipped\n",
     sum(!failed & !skipped), sum(failed), sum(skipped) + length(files)

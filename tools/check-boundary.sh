@@ -201,6 +201,15 @@ files '^src/glue/.*\.c$' | while read -r file; do
   topic=${file#src/glue/}
   grep -qx "${topic%.c}" "$work/topics" || echo "$file"
 done | rule "every file of src/glue has one of src/core that it calls"
+sed '/^#/d; s/ @GSL_CFLAGS@//; s/@FP_CONTRACT@/-ffp-contract=off/
+  s/@GSL_LIBS@/-lgsl -lgslcblas -lm/' src/Makevars.in > "$work/makevars"
+sed '/^#/d' src/Makevars.win | diff "$work/makevars" - |
+  rule "src/Makevars.win is src/Makevars.in with the GSL of Rtools"
+version=$(sed -n 's/^Version: //p' DESCRIPTION)
+{
+  head -n 1 packaging/debian/changelog | grep -v "^rotdyn ($version-[0-9]*) "
+  grep '^#define ROTDYN_VERSION' inst/include/rotdyn.h | grep -v "\"$version\""
+} | rule "packaging and the C interface have the version of DESCRIPTION"
 sh tools/objects.sh | diff src/Makevars.objects - |
   rule "src/Makevars.objects lists the files of src/ (make objects)"
 

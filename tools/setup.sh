@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs what a verb of the Makefile needs and this machine does not have.
 #
-#   tools/setup.sh demo|test|bench|coverage|document|valgrind|manual|format
+#   tools/setup.sh demo|test|bench|coverage|document|valgrind|manual|format|architectures
 #
 # System packages come from apt-get, if it exists and the user is root; otherwise the script prints
 # the command to type. R packages come as Debian's r-cran-* where R uses Debian's library, and from
@@ -85,6 +85,20 @@ system_needs() {
       ;;
     bench) need optional has_scipy "Python's scipy" python3-scipy python3-scipy scipy ;;
     valgrind) need essential valgrind valgrind valgrind valgrind valgrind ;;
+    architectures)
+      need essential has_compiler "a C compiler and make" build-essential "gcc make" -
+      while read -r triplet debian; do
+        need optional "$triplet-gcc" "the compiler of $debian" \
+          "gcc-$triplet libc6-dev-$debian-cross" - -
+      done << LIST
+aarch64-linux-gnu arm64
+i686-linux-gnu i386
+arm-linux-gnueabihf armhf
+powerpc64le-linux-gnu ppc64el
+s390x-linux-gnu s390x
+LIST
+      need optional qemu-s390x-static "qemu's user mode" qemu-user-static qemu-user-static -
+      ;;
     format) need essential clang-format clang-format clang-format clang-tools-extra clang-format ;;
     manual)
       # LaTeX is large, so the user installs it.
@@ -156,7 +170,7 @@ from_cran() {
 # ---- go -------------------------------------------------------------------------------------
 
 case $group in
-  demo | test | bench | coverage | document | valgrind | manual | format) ;;
+  demo | test | bench | coverage | document | valgrind | manual | format | architectures) ;;
   *) sed -n '2,4s/^# *//p' "$0"; exit 2 ;;
 esac
 
@@ -181,7 +195,7 @@ if test -n "$essential$optional"; then
 fi
 
 # R packages, essential and optional.
-test $group = format && exit 0
+case $group in format | architectures) exit 0 ;; esac
 must=$(ask_r imports) || exit 1
 may=""
 case $group in

@@ -3,6 +3,10 @@
 #
 #   tests/core/run.sh              every compiler and standard
 #   tests/core/run.sh --valgrind   one build, run under valgrind
+#   tests/core/run.sh --cross CC [EMULATOR]
+#                                  one build by a cross compiler, linked statically, and run by the
+#                                  emulator of its processor; a sixteenth of the random cases,
+#                                  warnings of the tests allowed; CFLAGS count
 #
 # Each test_*.c below tests/core is a program of its own, linked with all of src/core. The builds
 # that run, for the compilers gcc and clang or the one that is installed:
@@ -31,6 +35,12 @@ warnings="-Wall -Wextra -Wpedantic -Wstrict-prototypes -Wmissing-prototypes -Wco
 work=$(mktemp -d "${TMPDIR:-/tmp}/rotdyn-core.XXXXXX") || exit 1
 trap 'rm -rf "$work"' 0
 trap 'exit 1' HUP INT TERM
+
+# Of a build for another processor: how its programs are linked and run. The test programs are told
+# that the core is optimised.
+link="" emulator="" optimised=-DROT_TEST_OPTIMISED
+if test "$1" = --cross; then link=-static emulator=$3 optimised="" warnings=-w; fi
+export optimised
 
 passed=0 failed=0 skipped=0
 pass() { passed=$((passed + 1)); }
@@ -66,7 +76,8 @@ fi
 # accepts COMPILER FLAGS...: does it compile, link and run an empty program so?
 accepts() {
   echo 'int main(void) { return 0; }' > "$work/empty.c"
-  "$@" "$work/empty.c" -o "$work/empty" > /dev/null 2>&1 && "$work/empty" > /dev/null 2>&1
+  "$@" $link "$work/empty.c" -o "$work/empty" > /dev/null 2>&1 &&
+    $emulator "$work/empty" > /dev/null 2>&1
 }
 
 # build DIR COMPILER FLAGS...: compiles and links into DIR, several files at a time. DIR/log holds
@@ -79,15 +90,15 @@ build() {
   accepts "$1" -Werror $contract || contract=
   for file in $core $tests; do echo "$file"; done |
     xargs -P "$jobs" -I{} sh -c 'file=$1; dir=$2; shift 2
-      case " $* $file" in *" -O2 "*tests/*) set -- "$@" -O0 -DROT_TEST_OPTIMISED ;; esac
+      case " $* $file" in *" -O2 "*tests/*) set -- "$@" -O0 $optimised ;; esac
       name=${file#tests/core/} name=$(echo "${name%.c}" | tr / -)
       "$@" -Isrc/core -Itests/core -c "$file" -o "$dir/$name.o" > "$dir/$name.log" 2>&1' \
       build {} "$dir" "$@" $contract $warnings -Werror $gsl_cflags &&
-    ar cr "$dir/librot.a" "$dir"/src-core-*.o &&
+    ${AR:-ar} cr "$dir/librot.a" "$dir"/src-core-*.o &&
     for name in $names; do echo "$name"; done |
     xargs -P "$jobs" -I{} sh -c 'name=$1; dir=$2; libs=$3; shift 3
       "$@" "$dir/$name.o" "$dir/librot.a" $libs -o "$dir/$name" >> "$dir/$name.log" 2>&1' \
-      link {} "$dir" "$gsl_libs -lm -lpthread" "$@"
+      link {} "$dir" "$gsl_libs -lm -lpthread $link" "$@"
   status=$?
   cat "$dir"/*.log > "$dir/log"
   return $status
@@ -192,6 +203,19 @@ if test "$1" = --valgrind; then
       --show-leak-kinds=definite,indirect --errors-for-leak-kinds=definite,indirect \
       --error-exitcode=99
   else
+    cat "$dir/log"
+    fail
+  fi
+elif test "$1" = --cross; then
+  dir="$work/cross"
+  # shellcheck disable=SC2086
+  if build "$dir" "$2" -std=c99 -O2 $CFLAGS; then
+    echo "ok - builds: $2 c99 -O2"
+    pass
+    # shellcheck disable=SC2086
+    run "$dir" env MALLOC_PERTURB_=165 $emulator
+  else
+    echo "not ok - builds: $2"
     cat "$dir/log"
     fail
   fi

@@ -24,6 +24,7 @@ test_that("install_cli() replaces no other file", {
   expect_no_error(install_cli(folder, overwrite = TRUE))
   expect_error(install_cli(path), class = "rotdyn_error_file") # a folder below a file
   expect_error(install_cli(1), class = "rotdyn_error_type")
+  expect_error(install_cli(), "dir") # no folder of the user's is chosen
   bytes <- "a\xff"
   Encoding(bytes) <- "bytes"
   expect_error(install_cli(bytes), "encoding", class = "rotdyn_error_type")

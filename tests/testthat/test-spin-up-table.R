@@ -54,7 +54,7 @@ test_that("any number of threads gives the same bits", {
   many$coulomb_n_m <- 0.01
   steps <- torque_steps(c(0, 3), c(1, -0.2))
   expect_identical(
-    spin_up_table(many, steps, 8), spin_up_table(many, steps, 8, threads = 3)
+    spin_up_table(many, steps, 8), spin_up_table(many, steps, 8, threads = 2)
   )
 })
 

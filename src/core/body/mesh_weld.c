@@ -65,7 +65,7 @@ static rot_status weld_exactly(const rot_mesh *mesh, table *t, const rot_hooks *
       if (status != ROT_OK) return status;
     }
     place(mesh, i, at);
-    size_t s = hash3(at) & t->mask;
+    size_t s = (size_t)hash3(at) & t->mask;
     for (; t->slot[s]; s = (s + 1) & t->mask) {
       place(mesh, t->slot[s] - 1, other);
       if (equal(at, other)) break;
@@ -95,7 +95,7 @@ static rot_status weld_nearly(const rot_mesh *mesh, double tolerance, table *t,
         const double side = corner >> k & 1U ? 0.5 : -0.5;
         cube[k] = floor(at[k] / (2.0 * tolerance) + side);
       }
-      for (size_t s = hash3(cube) & t->mask; t->slot[s]; s = (s + 1) & t->mask) {
+      for (size_t s = (size_t)hash3(cube) & t->mask; t->slot[s]; s = (s + 1) & t->mask) {
         const size_t j = t->slot[s] - 1;
         if (j >= found) continue;
         place(mesh, j, other);
@@ -106,7 +106,7 @@ static rot_status weld_nearly(const rot_mesh *mesh, double tolerance, table *t,
     *merged += found != i;
     if (found != i) continue;
     for (int k = 0; k < 3; k++) its[k] = floor(at[k] / (2.0 * tolerance));
-    size_t s = hash3(its) & t->mask;
+    size_t s = (size_t)hash3(its) & t->mask;
     while (t->slot[s]) s = (s + 1) & t->mask;
     t->slot[s] = (uint32_t)i + 1;
   }

@@ -201,7 +201,7 @@ static int is_sound(const rot_vary *law) {
   case ROT_VARY_FIXED: return !isnan(p[0]) && !is_truncated(law);
   case ROT_VARY_COLUMN: return law->n > 0 && law->x && !is_truncated(law);
   case ROT_VARY_VALUES:
-    return law->n > 0 && law->n <= (size_t)1 << 52 && law->x && !is_truncated(law);
+    return law->n > 0 && (double)law->n <= 0x1p52 && law->x && !is_truncated(law);
   case ROT_VARY_UNIFORM: return finite && p[0] < p[1] && isfinite(p[1] - p[0]);
   case ROT_VARY_LOGUNIFORM: return finite && p[0] > 0.0 && p[0] < p[1];
   case ROT_VARY_NORMAL: return finite && p[1] >= 0.0;

@@ -11,6 +11,13 @@
 #error "rotdyn needs IEEE 754 arithmetic: compile without -Ofast, -ffast-math and what they imply"
 #endif
 
+/* Extended precision rounds twice: error-free sums and products are wrong in it. x87 registers have
+ * it (2), or it cannot be told (-1); 1 concerns float alone. */
+#if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && __FLT_EVAL_METHOD__ != 1 &&        \
+    __FLT_EVAL_METHOD__ != 16
+#error "rotdyn needs double precision: on i386 compile with -msse2 -mfpmath=sse"
+#endif
+
 #if defined(__clang__) || defined(_MSC_VER)
 #pragma STDC FP_CONTRACT OFF
 #endif
