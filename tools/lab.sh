@@ -1,5 +1,6 @@
 #!/bin/sh
-# Makes inst/lab/lab.html from web/ and the core: the core by clang for WebAssembly, the page by node.
+# Makes inst/lab/lab.html from web/ and the core: the core by clang for WebAssembly, the page by
+# node.
 #
 #   tools/lab.sh [wasm FILE]     with `wasm`: the core alone, as FILE
 #
@@ -21,7 +22,7 @@ find src/core web/core -name '*.c' | LC_ALL=C sort |
   grep -vE '^src/core/(fit|sweep|summary|design|measure)/|trust_region|body/density' > "$work/files"
 
 flags="--target=wasm32-wasi -O2 -std=c99 -ffp-contract=off -fvisibility=hidden -DNDEBUG
-  -ffunction-sections -fdata-sections -Isrc/core -Iinst/include -Iweb/core
+  -ffunction-sections -fdata-sections -Isrc/core -Iinst/include -Iweb/core/few
   -D_WASI_EMULATED_PROCESS_CLOCKS"
 jobs=$(getconf _NPROCESSORS_ONLN 2> /dev/null || echo 1)
 # shellcheck disable=SC2086

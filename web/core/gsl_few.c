@@ -116,8 +116,8 @@ void gsl_odeiv2_step_free(gsl_odeiv2_step *step) {
   free(step);
 }
 
-/* The sum of the slopes so far, of component i. The weights of 0 are left out, as GSL does; the last
- * one of the last stage is not, so that slopes beyond the doubles give the same. */
+/* The sum of the slopes so far, of component i. The weights of 0 are left out, as GSL does; the
+ * last one of the last stage is not, so that slopes beyond the doubles give the same. */
 static double weighted(const gsl_odeiv2_step *step, const double weight[], int stages, size_t i) {
   double sum = weight[0] * step->slope[0][i];
   for (int k = 1; k < stages; k++) {

@@ -207,7 +207,8 @@ static int set_times(double start, double end, size_t n) {
   if (!lab.scene || n < 1 || n > MAX_ROWS) return 0;
   double *times = realloc(lab.times, n * sizeof *times);
   if (times) lab.times = times;
-  double *values = realloc(lab.values, (n * lab.rows_per_time * lab.n_columns + 1) * sizeof *values);
+  const size_t size = n * lab.rows_per_time * lab.n_columns + 1;
+  double *values = realloc(lab.values, size * sizeof *values);
   if (values) lab.values = values;
   if (!times || !values) return 0;
   const double by = (end - start) / ((double)n - 1.0);
@@ -293,6 +294,10 @@ LAB_ENTRY(lab_column) const double *lab_column(unsigned i) {
   return i < lab.n_columns ? lab.values + i * lab.n * lab.rows_per_time : NULL;
 }
 
+/* Rows for each time. */
+size_t lab_rows(void);
+LAB_ENTRY(lab_rows) size_t lab_rows(void) { return lab.rows_per_time; }
+
 /* ---- models, balances, code ------------------------------------------------------------------ */
 
 const char *lab_models(void);
@@ -356,4 +361,15 @@ LAB_ENTRY(lab_code) const char *lab_code(void) {
   lab_text_add(&lab.answer, "%s", "");
   if (lab.tree) (void)lab_scene_code(lab.tree, &lab.answer);
   return answered();
+}
+
+/* Frees everything. */
+void lab_close(void);
+LAB_ENTRY(lab_close) void lab_close(void) {
+  forget();
+  free(lab.input);
+  free(lab.answer.text);
+  free(lab.times);
+  free(lab.values);
+  memset(&lab, 0, sizeof lab);
 }

@@ -88,7 +88,9 @@ static int put(rotdyn_object *in, const char *key, const char *name, const lab_n
     double *values = malloc(node->n * sizeof *values);
     size_t i = 0;
     if (!values) return refuse(refusal, ROTDYN_EMEMORY, name, "memory is out");
-    for (const lab_node *one = node->first; one; one = one->next) (void)number_of(one, &values[i++]);
+    for (const lab_node *one = node->first; one; one = one->next) {
+      (void)number_of(one, &values[i++]);
+    }
     status = rotdyn_set_numbers(in, key, node->n, values);
     free(values);
   } else if (node->kind == LAB_ARRAY) {
@@ -102,7 +104,7 @@ static int put(rotdyn_object *in, const char *key, const char *name, const lab_n
     if (!list) return refuse(refusal, ROTDYN_EMEMORY, name, "memory is out");
     return set_object(in, key, name, list, refusal);
   }
-  if (status == ROTDYN_ENAME) return refuse(refusal, status, name, "there is no input of this name");
+  if (status == ROTDYN_ENAME) return refuse(refusal, status, name, "is no input");
   return status ? refuse(refusal, status, name, "it takes no such value") : ROTDYN_OK;
 }
 
@@ -189,11 +191,24 @@ static int code_of_text(const char *text, lab_text *to) {
   return 1;
 }
 
+/* Laws are added by `+`; one of them must be a law. */
+static int code_of_sum(const lab_node *laws, int level, lab_text *to) {
+  if (!laws || laws->kind != LAB_ARRAY || laws->n == 0) return 0;
+  for (const lab_node *one = laws->first; one; one = one->next) {
+    const int number = one->kind == LAB_NUMBER;
+    if (number) lab_text_add(to, "torque_constant(");
+    if (!code_of(one, "torque", level, to)) return 0;
+    lab_text_add(to, "%s%s", number ? ")" : "", one->next ? " + " : "");
+  }
+  return 1;
+}
+
 static int code_of_object(const lab_node *node, const char *name, int level, lab_text *to) {
   const lab_node *arguments;
   const char *constructor = constructor_of(node, name, &arguments);
   const char *kind = rotdyn_object_kind(constructor);
   if (!kind || arguments->kind != LAB_OBJECT) return 0;
+  if (strcmp(constructor, "torque_sum") == 0) return code_of_sum(arguments->first, level, to);
   if (strcmp(kind, "table") == 0) return code_of_call("data.frame", arguments, level, to);
   /* Those are no functions of R. */
   if (strcmp(kind, "moments") == 0 || strcmp(kind, "sizes") == 0 || strcmp(kind, "points") == 0 ||

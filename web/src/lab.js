@@ -83,7 +83,7 @@ class Lab extends HTMLElement {
     this.dispatchEvent(new CustomEvent("rotdyn-ready", { bubbles: true }));
   }
 
-  say(key, values) { return this.words.say(key, values); }
+  say(key, values, other) { return this.words.say(key, values, other); }
 
   // ---- the parts of the page ----
 
@@ -103,7 +103,8 @@ class Lab extends HTMLElement {
         this.dispatchEvent(new CustomEvent("rotdyn-refused", { bubbles: true, detail: said }));
         return;
       }
-      this.start = said.start_s;
+      const start = Number(this.settings.start ?? said.start_s);
+      this.start = Number.isFinite(start) ? start : said.start_s;
     } else {
       this.start = this.recording.time[0];
     }
@@ -142,8 +143,10 @@ class Lab extends HTMLElement {
     const item = control.item === null ? "" :
       control.item < 3 && control.path.at(-2) === "omega0_rad_per_s" && this.vectors() ?
         ` ${"xyz"[control.item]}` : ` ${control.item + 1}`;
-    const group = control.group ?
-      `, ${this.say(`part.${control.group}`, {}, control.group.replaceAll("_", " "))}` : "";
+    // "resistance 2": its words, and which.
+    const [, part, which] = /^(.*?)( \d+)?$/.exec(control.group);
+    const group = part ? `, ${this.say(`part.${part}`, {}, part.replaceAll("_", " "))}${
+      which ?? ""}` : "";
     return plain + item + group;
   }
 
@@ -776,9 +779,9 @@ class Lab extends HTMLElement {
   }
 
   state() {
-    const { title, rows, accuracy } = this.settings;
+    const { title, rows, accuracy, start } = this.settings;
     return {
-      scene: this.text, end: this.end, title: title || null,
+      scene: this.text, end: this.end, title: title || null, start: start ?? null,
       rows: rows === defaults.rows ? null : rows,
       accuracy: accuracy === defaults.accuracy ? null : accuracy
     };

@@ -1,11 +1,13 @@
 // A lab as a link: the version, the scene and what else brings it back, behind the #.
 const linkVersion = "1", maxLink = 2000;
-const parts = ["title", "end", "rows", "accuracy", "lang"];
+const parts = ["title", "start", "end", "rows", "accuracy", "lang"];
 
 // The text behind the #, or null where it would be too long.
 function linkOf(address, state) {
   const query = new URLSearchParams({ lab: linkVersion });
-  for (const name of parts) if (state[name]) query.set(name, state[name]);
+  for (const name of parts) {
+    if (state[name] !== null && state[name] !== undefined) query.set(name, state[name]);
+  }
   query.set("scene", state.scene);
   const link = `${address.replace(/#.*/, "")}#${query}`;
   return link.length <= maxLink ? link : null;

@@ -1,5 +1,5 @@
-/* web/core/gsl_few.c beside GSL: steps, nodes and weights to the last bit. It is compiled twice, the
- * stand-in with other names; prints a line for each check. */
+/* web/core/gsl_few.c beside GSL: steps, nodes and weights to the last bit. The stand-in is compiled
+ * with other names (gsl_few_names.c); prints a line for each check. */
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_odeiv2.h>
 #include <math.h>
