@@ -62,7 +62,7 @@ map: ## what each file of R/ and src/ is for
 
 format: ## lay out the C sources by .clang-format
 	@sh tools/setup.sh format
-	@find src tests/core inst/include -name '*.[ch]' -exec clang-format -i {} +
+	@find src tests/core web inst/include -name '*.[ch]' -exec clang-format -i {} +
 
 check-valgrind: ## C core and C boundary under valgrind
 	@sh tools/check-valgrind.sh

@@ -1,10 +1,13 @@
 #!/bin/sh
 # The lab: the stand-ins for GSL beside GSL, the core as WebAssembly beside the native one, then the
-# page in Chromium (skipped without it). SCENES=300: random scenes of each constraint, SEED=.
+# page in Chromium (skipped without it). SCENES=60: random scenes of each constructor, SEED=;
+# MUTANTS=20000: damaged scenes, LINKS=400: damaged links of the page; LAB_R=yes: the R code of each
+# scene is run and a document rendered by the installed package. Closes with `lab: N passed, ...`.
 # LAB_WASM, LAB_NATIVE: what is made already.
 
 cd "$(dirname "$0")/.." || exit 1
 . tools/web.sh
+find_web lab
 
 work=$(mktemp -d "${TMPDIR:-/tmp}/rotdyn-check-lab.XXXXXX") || exit 1
 trap 'rm -rf "$work"' 0
@@ -35,6 +38,11 @@ fi
 if test -n "$LAB_WASM"; then cp "$LAB_WASM" "$work/lab.wasm"
 else sh tools/lab.sh wasm "$work/lab.wasm" || exit 1; fi
 
-find_web lab
 CHROMIUM=$chromium WEB=$web LAB_FEW=$work/gsl_few LAB_NATIVE=$LAB_NATIVE \
-  LAB_WASM=$work/lab.wasm node --test --test-concurrency=1 web/tests/*.test.mjs
+  LAB_WASM=$work/lab.wasm \
+  node --test --test-concurrency=1 --test-reporter=tap web/tests/*.test.mjs > "$work/said" 2>&1
+grep -vE '^ *(---|\.\.\.|duration_ms|type:)' "$work/said"
+count() { sed -n "s/^# $1 \([0-9]*\)$/\1/p" "$work/said" | tail -n 1; }
+failed=$(count fail)
+echo "lab: $(count pass) passed, ${failed:-1} failed, $(count skipped) skipped"
+test "${failed:-1}" = 0

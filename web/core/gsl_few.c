@@ -210,8 +210,8 @@ static void legendre(size_t n, pair x, pair *value, pair *slope) {
     now = next;
   }
   *value = now;
-  *slope = over(times(whole(n), add(times(x, now), minus(before))),
-                add(times(x, x), (pair){-1.0, 0.0}));
+  *slope =
+      over(times(whole(n), add(times(x, now), minus(before))), add(times(x, x), (pair){-1.0, 0.0}));
 }
 
 gsl_integration_glfixed_table *gsl_integration_glfixed_table_alloc(size_t n) {

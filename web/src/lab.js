@@ -111,7 +111,7 @@ class Lab extends HTMLElement {
     const end = Number(this.settings.end);
     this.end = Number.isFinite(end) && end > this.start ? end : this.start + defaults.end;
     this.tree = tree;
-    if (!this.recording) this.controls = controlsOf(tree, this.engine.catalogue);
+    if (!this.recording) this.controls = this.findControls();
     this.t = this.start;
     this.plots = new Map();
     this.data = null;
@@ -131,6 +131,15 @@ class Lab extends HTMLElement {
     this.later();
   }
 
+  // What the core takes: of the inputs that are not set, those that it accepts another value of.
+  findControls() {
+    const takes = (one) => one.set || this.engine.read(JSON.stringify(
+      withNumber(this.tree, one.path, (one.low + 3 * one.high) / 4))).status === 0;
+    const controls = controlsOf(this.tree, this.engine.catalogue).filter(takes);
+    this.engine.read(JSON.stringify(this.tree));
+    return controls;
+  }
+
   sceneTitle() {
     const name = this.recording?.said.constructor ?? sceneOf(this.tree)[0] ?? "";
     return this.say(`scene.${name}`, {}, name.replaceAll("_", " "));
@@ -139,7 +148,8 @@ class Lab extends HTMLElement {
   // "omega0_rad_per_s" in words, with what it belongs to.
   nameOf(control) {
     const { stem } = splitName(control.name);
-    const plain = this.say(`name.${stem}`, {}, stem.replaceAll("_", " "));
+    const plain = this.say(`name.${control.name}`, {},
+      this.say(`name.${stem}`, {}, stem.replaceAll("_", " ")));
     const item = control.item === null ? "" :
       control.item < 3 && control.path.at(-2) === "omega0_rad_per_s" && this.vectors() ?
         ` ${"xyz"[control.item]}` : ` ${control.item + 1}`;
@@ -302,7 +312,7 @@ class Lab extends HTMLElement {
       el("option", { value: one, selected: one === 1 }, `× ${this.plain(one)}`)));
     this.nextEvent = button("next_event", () => this.toEvent());
     const turn = (beside, above) => () => {
-      if (beside === null) this.view = { beside: 0, above };
+      if (beside === null) Object.assign(this.view, { beside: 0, above });
       else {
         this.view.beside += beside;
         this.view.above = Math.max(-Math.PI / 2, Math.min(Math.PI / 2, this.view.above + above));

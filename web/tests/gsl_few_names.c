@@ -11,16 +11,15 @@
 
 void *few_step_alloc(size_t dim);
 int few_step_apply(void *step, double t, double h, double y[], double yerr[], const double in[],
-                   double out[],
-                   int (*f)(double t, const double y[], double dydt[], void *params), void *params);
+                   double out[], int (*f)(double t, const double y[], double dydt[], void *params),
+                   void *params);
 void *few_table_alloc(size_t n);
 void few_point(size_t i, double *x, double *w, const void *table);
 
 void *few_step_alloc(size_t dim) { return few_alloc(few_rk8pd, dim); }
 
 int few_step_apply(void *step, double t, double h, double y[], double yerr[], const double in[],
-                   double out[],
-                   int (*f)(double t, const double y[], double dydt[], void *params),
+                   double out[], int (*f)(double t, const double y[], double dydt[], void *params),
                    void *params) {
   const gsl_odeiv2_step *of = step;
   const gsl_odeiv2_system system = {f, NULL, of->dim, params};

@@ -321,6 +321,43 @@ test("links of strangers end in a scene or a sentence", { skip }, async () => {
   await page.close();
 });
 
+test("two labs of a document, self-contained and split", { skip: skip || !LAB_R }, async () => {
+  writeFileSync(join(folder, "two.Rmd"), `---
+title: two
+---
+\`\`\`{r}
+library(rotdyn)
+lab(scene_hoop(1, 1, 3, theta0_rad = 0.5))
+lab(scene_rotors(c(1, 2), 100, omega0_rad_per_s = c(1, 0)))
+\`\`\`
+`);
+  for (const whole of ["TRUE", "FALSE"]) {
+    execFileSync("Rscript", ["-e", `rmarkdown::render(${JSON.stringify(join(folder, "two.Rmd"))},
+      rmarkdown::html_document(theme = NULL, self_contained = ${whole}), quiet = TRUE)`]);
+    const page = await open("", { path: join(folder, "two.html") });
+    await page.locator("rotdyn-lab .summary:not(:empty)").nth(1).waitFor();
+    await settled(page);
+    const titles = await page.locator("rotdyn-lab .title").allTextContents();
+    assert.deepEqual(titles, ["A bead on a turning hoop", "Rotors on a shaft"]);
+    const models = await page.locator("rotdyn-lab .model").allTextContents();
+    assert.match(models[0], /hoop_/);
+    assert.match(models[1], /rotors_/);
+    // A change of the one leaves the other.
+    const second = await page.locator("rotdyn-lab").nth(1).evaluate((lab) => lab.csv());
+    const field = page.locator("rotdyn-lab").first().getByLabel("angle at the start, rad");
+    await field.fill("1");
+    await field.press("Enter");
+    await settled(page);
+    assert.equal(await page.locator("rotdyn-lab").nth(1).evaluate((lab) => lab.csv()), second);
+    assert.match(await page.locator("rotdyn-lab").first().locator(".audit").textContent(),
+      /drive/);
+    assert.deepEqual((await violations(page)).filter((one) => !/landmark|region|html-has-lang/
+      .test(one)), []);
+    quiet(page);
+    await page.close();
+  }
+});
+
 test("without WebAssembly: a sentence", { skip }, async () => {
   const page = await browser.newPage();
   await page.addInitScript(() => { delete window.WebAssembly; });
