@@ -5,7 +5,7 @@
 .PHONY: check-valgrind check-databases check-nosuggests check-manual check-coverage check-fuzz check-fuzz-sanitized
 .PHONY: check-kill-sweep check-remote
 .PHONY: map check-animations check-damage check-interrupt check-lessons check-long check-measurement check-mutants check-scenes library examples
-.PHONY: lab check-lab
+.PHONY: lab site check-lab
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' $(firstword $(MAKEFILE_LIST)) | expand -t 30
@@ -44,6 +44,10 @@ document: ## make NAMESPACE and man/ from the comments in R/
 lab: ## the page of the lab, inst/lab, from web/ and the core
 	@sh tools/setup.sh lab
 	@sh tools/lab.sh
+
+site: ## the site of the package in site/, with the lab: pkgdown, offline
+	@sh tools/install.sh --no-build-vignettes
+	@sh tools/site.sh
 
 check-lab: ## the lab: numbers beside the native core, every control by the keyboard in Chromium
 	@sh tools/check-lab.sh

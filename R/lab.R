@@ -1,5 +1,5 @@
-# The lab: a scene as a page that computes in the browser (inst/lab, made by `make lab` from web/ and
-# the core), or as an element of a document. Scenes with R functions come as recordings.
+# The lab: a scene as a page that computes in the browser (inst/lab, made by `make lab` from web/
+# and the core), or as an element of a document. Scenes with R functions come as recordings.
 
 lab_rows <- 401L
 lab_max_rows <- 4001L
@@ -9,8 +9,8 @@ lab_max_rows <- 4001L
 #' A page with a slider for each number of the scene. It computes with the same core, compiled for
 #' the browser: curves and a picture that move, the model and its reason, the error, the audit,
 #' events, the R code that gives the same numbers, a link that brings the set-up back, the rows as
-#' CSV. One file: it needs no server, no network and no R, and asks nobody for anything; so it can be
-#' opened from a disk, put on a web server or uploaded to a course page.
+#' CSV. One file: it needs no server, no network and no R, and asks nobody for anything; so it can
+#' be opened from a disk, put on a web server or uploaded to a course page.
 #'
 #' In R Markdown, Quarto and the site a lab that a chunk returns is an element of the document; the
 #' core is in the document once, however many labs it has. Where the document is not HTML, a

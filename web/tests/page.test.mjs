@@ -37,6 +37,7 @@ after(async () => {
 async function open(hash = "", { path = file, ...options } = {}) {
   const page = await browser.newPage({ viewport: { width: 1280, height: 900 }, locale: "en-GB",
     acceptDownloads: true, ...options });
+  page.setDefaultTimeout(10000);
   page.heard = [];
   page.asked = [];
   page.on("console", (message) => page.heard.push(message.text()));
@@ -74,12 +75,14 @@ for (const id of read("list.json")) {
     assert.deepEqual(await violations(page), []);
     assert.ok((await ink(page)).every(Boolean), "ink at the start");
     const lab = page.locator("rotdyn-lab");
+    await lab.locator(".inputs details").evaluateAll((all) => all.forEach((one) => {
+      one.open = true;
+    }));
     const names = await lab.locator(".inputs input[type=range]").evaluateAll((all) =>
       all.map((one) => one.labels[0].textContent));
     assert.equal(new Set(names).size, names.length, names.join("; "));
     for (const name of names) {
       const slider = page.getByRole("slider", { name, exact: true });
-      await slider.evaluate((one) => { one.closest("details")?.setAttribute("open", ""); });
       await slider.focus();
       const value = () => slider.inputValue().then(Number);
       const begin = await value();
