@@ -3,6 +3,7 @@
 # page in Chromium (skipped without it). SCENES=60: random scenes of each constructor, SEED=;
 # MUTANTS=20000: damaged scenes, LINKS=400: damaged links of the page; LAB_R=yes: the R code of each
 # scene is run and a document rendered by the installed package. Closes with `lab: N passed, ...`.
+# SANITIZED=yes: the native program under the sanitizers of addresses and undefined behaviour.
 # LAB_WASM, LAB_NATIVE: what is made already.
 
 cd "$(dirname "$0")/.." || exit 1
@@ -16,6 +17,8 @@ fail() { echo "lab: $*" >&2; exit 1; }
 
 CC=${CC:-cc}
 flags="-std=c99 -O2 -ffp-contract=off"
+test "$SANITIZED" != yes ||
+  flags="$flags -g -fsanitize=address,undefined -fno-sanitize-recover=all"
 gsl_flags=$(pkg-config --cflags gsl 2> /dev/null)
 gsl_libs=$(pkg-config --libs gsl 2> /dev/null || echo "-lgsl -lgslcblas -lm")
 # shellcheck disable=SC2086

@@ -32,7 +32,7 @@ xargs -P "$jobs" -I{} sh -c 'file=$1 dir=$2; shift 2
 
 objects=$(sed 's|\.c$|.o|; s|/|-|g' "$work/files" | sed "s|^|$work/|")
 # shellcheck disable=SC2086
-clang --target=wasm32-wasi -O2 -mexec-model=reactor -Wl,--gc-sections -Wl,--strip-all \
+clang --target=wasm32-wasi -mexec-model=reactor -Wl,--gc-sections -Wl,--strip-all -Wl,-O2 \
   -Wl,-z,stack-size=1048576 $objects -lwasi-emulated-process-clocks -o "$work/linked.wasm" ||
   fail "the link"
 wasm-opt -O2 --strip-debug --strip-producers "$work/linked.wasm" -o "$work/lab.wasm" ||

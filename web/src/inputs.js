@@ -8,7 +8,8 @@ const asNumber = (x) => typeof x === "number" ? x :
 // The scene of a text: [constructor, inputs].
 const sceneOf = (tree) => Object.entries(tree).find(([key]) => key !== "scene_format") ?? [];
 
-// Ends of a slider: the domain where it is bounded, else about twice the value.
+// Ends of a slider: the domain where it is bounded, else about twice the value, or the largest of
+// several values.
 const rangeOf = (input, value) => {
   const span = { rad: Math.PI, "rad/s": 10, "N*m": 1, kg: 1, m: 1 }[input.unit] ?? 1;
   const bounded = (x) => Number.isFinite(x) && Math.abs(x) < 1e300;
@@ -22,9 +23,9 @@ const rangeOf = (input, value) => {
   return { low: Number(low.toPrecision(6)), high, step };
 };
 
-const controlOf = (input, value, path, group, item, set) => ({
+const controlOf = (input, value, path, group, item, set, largest = value) => ({
   name: input.name, words: input.words, unit: unitText(input.unit), path, group, item, value, set,
-  ...rangeOf(input, value)
+  ...rangeOf(input, largest)
 });
 
 // Numbers that are set, and those with a default or of a scene that may be set.
@@ -45,7 +46,8 @@ function controlsOf(tree, catalogue) {
         if (kinds.includes("times") || kinds.includes("attitude")) continue;
         value.forEach((one, i) => {
           if (numbers && value.length <= 6) {
-            found.push(controlOf(input, one, [...at, i], group, i, true));
+            found.push(controlOf(input, one, [...at, i], group, i, true,
+              Math.max(...value.map(Math.abs))));
           } else if (isObject(one)) {
             nested(one, [...at, i], input.name, `${input.name} ${i + 1}`);
           }

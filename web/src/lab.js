@@ -11,7 +11,7 @@ import { Plot } from "./plot.js";
 import { csvOf, readCsv, valueAt } from "./table.js";
 import { Words } from "./words.js";
 
-const defaults = { end: 10, rows: 401, accuracy: 1e-9, steps: 2e5 };
+const defaults = { end: 10, rows: 401, accuracy: 1e-9, steps: 5e4 };
 const limits = { rows: [2, 4001], accuracy: [1e-14, 1e-2] };
 // Faster turns are not followed by the eye, and may not flash.
 const fastestTurn = 2 * Math.PI * 3;
@@ -479,7 +479,47 @@ class Lab extends HTMLElement {
     this.choice = el("fieldset", { class: "choice" });
     this.panelsKey = null;
     return el("div", { class: "curves", role: "group", "aria-label": this.say("curves") },
-      this.choice, this.curves);
+      this.choice, this.buildPredict(), this.curves);
+  }
+
+  // Guesses at three times, before the curves are seen; then how far each was off.
+  buildPredict() {
+    const fields = [0.25, 0.5, 1].map((part, k) => ({ part, box: el("input", { type: "text",
+      inputmode: "decimal", size: 8, id: `guess-${k}` }), label: el("label", { for: `guess-${k}` }) }));
+    const verdict = el("p", { role: "status" });
+    const head = el("p");
+    const line = () => [...this.plots.values()][0]?.lines[0];
+    const time = (part) => this.start + part * (this.end - this.start);
+    const hide = (hidden) => {
+      this.hidden = hidden;
+      this.show();
+      this.later();
+    };
+    const box = el("details", { class: "predict", ontoggle: () => {
+      const of = line();
+      if (!box.open || !of) return hide(false);
+      head.textContent = this.say("predict_what", { label: of.label });
+      for (const { part, label } of fields) {
+        label.textContent = this.say("predict_at", { time: this.numbers.show(time(part)) });
+      }
+      verdict.textContent = "";
+      return hide(true);
+    } }, el("summary", {}, this.say("predict")), head,
+    ...fields.map((one) => el("span", { class: "pair" }, one.label, one.box)),
+    el("button", { type: "button", onclick: () => {
+      const of = line();
+      if (!of) return;
+      hide(false);
+      verdict.textContent = fields.map(({ part, box: field }) => {
+        const guess = this.parse(field.value), at = time(part);
+        if (guess === null) return "";
+        const value = valueAt(this.run.time, of.values, at);
+        return this.say("predicted", { time: this.numbers.show(at),
+          guess: this.numbers.show(guess), value: this.numbers.show(value, of.error),
+          off: this.numbers.show(guess - value, Math.max(of.error, Math.abs(value) / 1000)) });
+      }).filter(Boolean).join(" ") || this.say("no_guess");
+    } }, this.say("compare")), verdict);
+    return box;
   }
 
   // Panels: the names of their columns. The state and the energies are shown first.
@@ -770,7 +810,7 @@ class Lab extends HTMLElement {
       el("div", { class: "bar" },
         this.recording ? null : button("copy_link", copy(this.link)),
         button("save_csv", () => this.saveCsv()),
-        button("save_svg", () => this.saveSvg()),
+        button("save_svg", () => this.saveSvg()), button("save_png", () => this.savePng()),
         rotdynParts.page() ? button("save_lab", () => this.saveLab()) : null),
       el("p", { class: "pair" }, el("label", { for: "data" }, this.say("data")), file),
       this.dataNote, this.residuals, this.tables);
@@ -806,14 +846,31 @@ class Lab extends HTMLElement {
   csv() { return csvOf(this.run, { comma: this.words.comma, index: this.run.said.index }); }
   saveCsv() { this.download("rotdyn.csv", "text/csv;charset=utf-8", this.csv()); }
 
-  // The first curve and the picture as SVG, with the R code as text.
-  saveSvg() {
+  // The picture, or without one the first curve, as SVG with the R code as text.
+  pictureText() {
     const copy = (this.drawn ? this.picture : [...this.plots.values()][0].picture).cloneNode(true);
     const style = svg("style");
     style.textContent = rotdynParts.ink;
     copy.prepend(svg("title", {}, this.settings.title || this.sceneTitle()),
       svg("desc", {}, this.codeText()), style);
-    this.download("rotdyn.svg", "image/svg+xml", new XMLSerializer().serializeToString(copy));
+    return new XMLSerializer().serializeToString(copy);
+  }
+
+  saveSvg() { this.download("rotdyn.svg", "image/svg+xml", this.pictureText()); }
+
+  // The same in pixels, four for each.
+  async savePng() {
+    const text = this.pictureText(), image = new Image();
+    const address = URL.createObjectURL(new Blob([text], { type: "image/svg+xml" }));
+    image.src = address;
+    await image.decode();
+    const canvas = el("canvas", { width: 2 * image.width, height: 2 * image.height });
+    const pen = canvas.getContext("2d");
+    pen.fillStyle = "#fff";
+    pen.fillRect(0, 0, canvas.width, canvas.height);
+    pen.drawImage(image, 0, 0, canvas.width, canvas.height);
+    URL.revokeObjectURL(address);
+    canvas.toBlob((blob) => this.download("rotdyn.png", "image/png", blob));
   }
 
   saveLab() { this.download("lab.html", "text/html;charset=utf-8", rotdynParts.page(this.state())); }
@@ -915,8 +972,8 @@ class Lab extends HTMLElement {
     for (const [name, plot] of this.plots) {
       const { unit } = this.unitOf(this.panels().get(name)[0].name);
       const text = plot.lines.slice(0, 3).map((line) => this.lineText(line, unit)).join(" ");
-      plot.words.textContent = text;
-      sentences.push(text);
+      plot.words.textContent = this.hidden ? this.say("curves_hidden") : text;
+      sentences.push(plot.words.textContent);
     }
     this.summary.textContent = this.say("summary", {
       model: this.run.report.model ?? "–", from: this.numbers.show(this.run.time[0]),

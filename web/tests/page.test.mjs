@@ -37,7 +37,7 @@ after(async () => {
 async function open(hash = "", { path = file, ...options } = {}) {
   const page = await browser.newPage({ viewport: { width: 1280, height: 900 }, locale: "en-GB",
     acceptDownloads: true, ...options });
-  page.setDefaultTimeout(10000);
+  page.setDefaultTimeout(30000);
   page.heard = [];
   page.asked = [];
   page.on("console", (message) => page.heard.push(message.text()));
@@ -290,6 +290,41 @@ test("a CSV of one's own: points and differences", { skip }, async () => {
   await page.locator("#data").setInputFiles({ name: "bad.csv", mimeType: "text/csv",
     buffer: Buffer.from("<b>t</b>,x\n1,2\n") });
   await page.getByText("The file has no column time_s.").waitFor();
+  quiet(page);
+  await page.close();
+});
+
+test("predict: curves are hidden, guesses are compared", { skip }, async () => {
+  const page = await open("#scene=spin-up");
+  await page.getByText("Predict before you see").press("Enter");
+  await settled(page);
+  const seen = () => page.locator(".plot .curve").first().evaluate((one) =>
+    getComputedStyle(one).visibility);
+  assert.equal(await seen(), "hidden");
+  assert.doesNotMatch(await page.locator(".summary").textContent(), /211/);
+  await page.getByLabel("at 10 s").fill("200");
+  await page.getByRole("button", { name: "Show and compare" }).press("Enter");
+  assert.equal(await seen(), "visible");
+  assert.match(await page.locator(".predict").textContent(),
+    /At 10 s: guessed 200, computed 211\.568, off by −11\.57?/);
+  assert.deepEqual(await violations(page), []);
+  quiet(page);
+  await page.close();
+});
+
+test("pictures: SVG with the code in it, PNG", { skip }, async () => {
+  const page = await open("#scene=hoop");
+  const saved = async (name) => {
+    const waiting = page.waitForEvent("download");
+    await page.getByRole("button", { name }).press("Enter");
+    const path = join(folder, "picture");
+    await (await waiting).saveAs(path);
+    return readFileSync(path);
+  };
+  assert.match(String(await saved("Save picture (SVG)")), /<desc>library\(rotdyn\)/);
+  const png = await saved("Save picture (PNG)");
+  assert.equal(png.subarray(1, 4).toString(), "PNG");
+  assert.ok(png.length > 4000);
   quiet(page);
   await page.close();
 });
