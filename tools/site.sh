@@ -1,6 +1,6 @@
 #!/bin/sh
-# Builds the site of the package in site/: pkgdown, the lab at lab/, formulas as MathML, no page of
-# which asks anybody for anything. Needs pkgdown, pandoc, node and npm; pkgdown itself stays offline.
+# Builds the site of the package in site/: pkgdown, the lab at lab/, formulas as MathML. No page asks
+# anybody for anything. Needs pkgdown, pandoc and npm; pkgdown itself stays offline.
 #
 #   tools/site.sh [FOLDER] [ARTICLES]    ARTICLES: only those of these names, such as "rotdyn hoop"
 
@@ -30,6 +30,7 @@ cp "$from/clipboard/dist/clipboard.min.js" "$from/fuse.js/dist/fuse.js" \
 cp inst/lab/lab.html "$site/lab/" || exit 1
 
 # Nothing that a page loads by itself is elsewhere.
-asks=$(grep -rlE '<(script|link|img|iframe)[^>]*(src|href)="(https?:)?//' "$site" --include='*.html')
+asks=$(grep -rlE '<(script|link|img|iframe)[^>]*(src|href)="(https?:)?//' "$site" \
+  --include='*.html')
 test -z "$asks" || { echo "$asks"; fail "these pages load from elsewhere"; }
 echo "site: $(find "$site" -name '*.html' | wc -l | tr -d ' ') pages in $site"

@@ -516,7 +516,7 @@ class Lab extends HTMLElement {
         const value = valueAt(this.run.time, of.values, at);
         return this.say("predicted", { time: this.numbers.show(at),
           guess: this.numbers.show(guess), value: this.numbers.show(value, of.error),
-          off: this.numbers.show(guess - value, Math.max(of.error, Math.abs(value) / 1000)) });
+          off: this.numbers.show(guess - value, Math.max(of.error, Math.abs(guess - value) / 2000)) });
       }).filter(Boolean).join(" ") || this.say("no_guess");
     } }, this.say("compare")), verdict);
     return box;
