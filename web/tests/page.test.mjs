@@ -371,7 +371,8 @@ lab(scene_rotors(c(1, 2), 100, omega0_rad_per_s = c(1, 0)))
 `);
   for (const whole of ["TRUE", "FALSE"]) {
     execFileSync("Rscript", ["-e", `rmarkdown::render(${JSON.stringify(join(folder, "two.Rmd"))},
-      rmarkdown::html_document(theme = NULL, highlight = NULL, self_contained = ${whole}), quiet = TRUE)`]);
+      rmarkdown::html_document(theme = NULL, highlight = NULL, mathjax = NULL,
+        self_contained = ${whole}), quiet = TRUE)`]);
     const page = await open("", { path: join(folder, "two.html") });
     await page.locator("rotdyn-lab .summary:not(:empty)").nth(1).waitFor();
     await settled(page);
