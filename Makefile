@@ -5,6 +5,7 @@
 .PHONY: check-valgrind check-databases check-nosuggests check-manual check-coverage check-fuzz check-fuzz-sanitized
 .PHONY: check-kill-sweep check-remote check-architectures check-completion manpages deb check-cran
 .PHONY: map check-animations check-damage check-interrupt check-lessons check-long check-measurement check-mutants check-scenes library examples
+.PHONY: lab site check-lab
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' $(firstword $(MAKEFILE_LIST)) | expand -t 30
@@ -40,6 +41,17 @@ document: ## make NAMESPACE and man/ from the comments in R/
 	@Rscript -e 'roxygen2::roxygenise(load_code = roxygen2::load_installed)'
 	@./cleanup
 
+lab: ## the page of the lab, inst/lab, from web/ and the core
+	@sh tools/setup.sh lab
+	@sh tools/lab.sh
+
+site: ## the site of the package in site/, with the lab: pkgdown, offline
+	@sh tools/install.sh --no-build-vignettes
+	@sh tools/site.sh
+
+check-lab: ## the lab: numbers beside the native core, every control by the keyboard in Chromium
+	@sh tools/check-lab.sh
+
 library: ## the core as a library of C, with its header: PREFIX= DESTDIR= LIBDIR= LDFLAGS=
 	@DESTDIR="$(DESTDIR)" LIBDIR="$(LIBDIR)" LDFLAGS="$(LDFLAGS)" sh tools/library.sh $(PREFIX)
 
@@ -57,7 +69,7 @@ map: ## what each file of R/ and src/ is for
 
 format: ## lay out the C sources by .clang-format
 	@sh tools/setup.sh format
-	@find src tests/core inst/include -name '*.[ch]' -exec clang-format -i {} +
+	@find src tests/core web inst/include -name '*.[ch]' -exec clang-format -i {} +
 
 check-valgrind: ## C core and C boundary under valgrind
 	@sh tools/check-valgrind.sh

@@ -68,7 +68,7 @@ heading "layout of the C code"
 # Other versions lay out some lines in another way.
 case $(clang-format --version 2> /dev/null) in
   *" version 14."*)
-    if find src tests/core -name '*.[ch]' -exec clang-format --dry-run -Werror {} +; then
+    if find src tests/core web -name '*.[ch]' -exec clang-format --dry-run -Werror {} +; then
       verdict pass "clang-format"
     else
       verdict fail "clang-format: run make format"

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs what a verb of the Makefile needs and this machine does not have.
 #
-#   tools/setup.sh demo|test|bench|coverage|document|valgrind|manual|format|architectures
+#   tools/setup.sh demo|test|bench|coverage|document|valgrind|manual|format|architectures|lab
 #
 # System packages come from apt-get, if it exists and the user is root; otherwise the script prints
 # the command to type. R packages come as Debian's r-cran-* where R uses Debian's library, and from
@@ -38,6 +38,10 @@ has_r() { have R && have Rscript; }
 has_clang_sanitizer() {
   have clang && echo "int main(void) { return 0; }" |
     clang -fsanitize=address,undefined -x c - -o /dev/null > /dev/null 2>&1
+}
+has_wasi() {
+  have clang && have wasm-ld && echo "int main(void) { return 0; }" |
+    clang --target=wasm32-wasi -x c - -o /dev/null > /dev/null 2>&1
 }
 has_scipy() {
   for python in python3 /usr/bin/python3; do
@@ -98,6 +102,14 @@ powerpc64le-linux-gnu ppc64el
 s390x-linux-gnu s390x
 LIST
       need optional qemu-s390x-static "qemu's user mode" qemu-user-static qemu-user-static -
+      ;;
+    lab)
+      need essential clang clang clang clang llvm
+      need essential wasm-ld lld lld lld lld
+      need essential has_wasi "wasi-libc and clang's run-time for wasm32" \
+        "wasi-libc $(clang_rt)-wasm32" "wasi-libc-static compiler-rt-wasm32" wasi-libc
+      need essential wasm-opt wasm-opt binaryen binaryen binaryen
+      need essential node node nodejs nodejs node
       ;;
     format) need essential clang-format clang-format clang-format clang-tools-extra clang-format ;;
     manual)
@@ -170,7 +182,7 @@ from_cran() {
 # ---- go -------------------------------------------------------------------------------------
 
 case $group in
-  demo | test | bench | coverage | document | valgrind | manual | format | architectures) ;;
+  demo | test | bench | coverage | document | valgrind | manual | format | architectures | lab) ;;
   *) sed -n '2,4s/^# *//p' "$0"; exit 2 ;;
 esac
 
@@ -195,7 +207,7 @@ if test -n "$essential$optional"; then
 fi
 
 # R packages, essential and optional.
-case $group in format | architectures) exit 0 ;; esac
+case $group in format | architectures | lab) exit 0 ;; esac
 must=$(ask_r imports) || exit 1
 may=""
 case $group in

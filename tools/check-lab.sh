@@ -1,0 +1,51 @@
+#!/bin/sh
+# The lab: the stand-ins for GSL beside GSL, the core as WebAssembly beside the native one, then the
+# page in Chromium (skipped without it). SCENES=60: random scenes of each constructor, SEED=;
+# MUTANTS=20000: damaged scenes, LINKS=400: damaged links of the page; LAB_R=yes: the R code of each
+# scene is run and a document rendered by the installed package. Closes with `lab: N passed, ...`.
+# SANITIZED=yes: the native program under the sanitizers of addresses and undefined behaviour.
+# LAB_WASM, LAB_NATIVE: what is made already.
+
+cd "$(dirname "$0")/.." || exit 1
+. tools/web.sh
+find_web lab
+
+work=$(mktemp -d "${TMPDIR:-/tmp}/rotdyn-check-lab.XXXXXX") || exit 1
+trap 'rm -rf "$work"' 0
+trap 'exit 1' HUP INT TERM
+fail() { echo "lab: $*" >&2; exit 1; }
+
+CC=${CC:-cc}
+flags="-std=c99 -O2 -ffp-contract=off"
+test "$SANITIZED" != yes ||
+  flags="$flags -g -fsanitize=address,undefined -fno-sanitize-recover=all"
+gsl_flags=$(pkg-config --cflags gsl 2> /dev/null)
+gsl_libs=$(pkg-config --libs gsl 2> /dev/null || echo "-lgsl -lgslcblas -lm")
+# shellcheck disable=SC2086
+$CC $flags -Iweb/core/few -c web/tests/gsl_few_names.c -o "$work/names.o" &&
+  $CC $flags $gsl_flags web/tests/gsl_few.c "$work/names.o" $gsl_libs -o "$work/gsl_few" ||
+  fail "the test of the stand-ins does not compile"
+
+# The same entries, native and with GSL: a program that answers lines.
+if test -z "$LAB_NATIVE"; then
+  LAB_NATIVE=$work/native
+  jobs=$(getconf _NPROCESSORS_ONLN 2> /dev/null || echo 1)
+  # shellcheck disable=SC2086
+  { find src/core web/core -name '*.c' ! -name gsl_few.c; echo web/tests/native.c; } |
+    xargs -P "$jobs" -I{} sh -c 'file=$1 dir=$2; shift 2
+    "$@" -c "$file" -o "$dir/core-$(echo "${file%.c}" | tr / -).o"' \
+    build {} "$work" $CC $flags $gsl_flags -Isrc/core -Iinst/include &&
+    $CC "$work"/core-*.o $gsl_libs -o "$LAB_NATIVE" || fail "the native program does not compile"
+fi
+
+if test -n "$LAB_WASM"; then cp "$LAB_WASM" "$work/lab.wasm"
+else sh tools/lab.sh wasm "$work/lab.wasm" || exit 1; fi
+
+CHROMIUM=$chromium WEB=$web LAB_FEW=$work/gsl_few LAB_NATIVE=$LAB_NATIVE \
+  LAB_WASM=$work/lab.wasm \
+  node --test --test-concurrency=1 --test-reporter=tap web/tests/*.test.mjs > "$work/said" 2>&1
+grep -vE '^ *(---|\.\.\.|duration_ms|type:)' "$work/said"
+count() { sed -n "s/^# $1 \([0-9]*\)$/\1/p" "$work/said" | tail -n 1; }
+failed=$(count fail)
+echo "lab: $(count pass) passed, ${failed:-1} failed, $(count skipped) skipped"
+test "${failed:-1}" = 0

@@ -1,0 +1,166 @@
+// The core as WebAssembly beside the native one: random scenes of every constraint, the scenes of
+// the page, damaged texts. LAB_WASM, LAB_NATIVE, LAB_FEW: what tools/check-lab.sh made.
+import assert from "node:assert/strict";
+import { execFileSync } from "node:child_process";
+import { readFileSync } from "node:fs";
+import { after, test } from "node:test";
+import { Engine } from "../src/engine.js";
+import { openNative } from "./native.mjs";
+import { constructors, generator, mutated, randomScene } from "./random.mjs";
+
+const { LAB_WASM, LAB_NATIVE, LAB_FEW, SCENES = "60", SEED = "1", MUTANTS = "20000" } = process.env;
+const engine = new Engine(new WebAssembly.Module(readFileSync(LAB_WASM)));
+const native = openNative(LAB_NATIVE);
+after(() => native.close());
+
+const times = { start: 0, end: 4, rows: 41, accuracy: 1e-9, steps: 2e5 };
+const here = (text, more = times) => {
+  const run = engine.run(text, more);
+  return run.columns ?
+    { ...run, models: engine.models(), audit: engine.audit(), code: engine.code(text) } : run;
+};
+const same = (a, b) => {
+  const x = new BigUint64Array(a.buffer), y = new BigUint64Array(b.buffer);
+  return x.length === y.length && x.every((bits, i) => bits === y[i]);
+};
+
+test("the stand-ins for GSL are GSL to the last bit", () => {
+  const said = execFileSync(LAB_FEW, { encoding: "utf8" });
+  assert.match(said, /^ok - 10000 random steps.*\nok - nodes and weights/);
+});
+
+test("the catalogue is the native one", async () => {
+  assert.deepEqual(engine.catalogue, await native.catalogue);
+});
+
+// Largest difference of a measure over the sum of both errors; events and verdicts must be equal.
+const compare = (a, b, text) => {
+  const found = { ratio: 0, bits: true };
+  assert.deepEqual(a.said, b.said, text);
+  if (!b.report) return found;
+  assert.equal(a.report.status, b.report.status, text);
+  assert.equal(a.report.model, b.report.model, text);
+  assert.equal(a.report.reason, b.report.reason, text);
+  if (b.report.status !== 0) return found;
+  assert.deepEqual(a.report.events.map((one) => [one.name, one.place]),
+    b.report.events.map((one) => [one.name, one.place]), text);
+  const { measures } = b.report;
+  const differs = measures.map(() => 0);
+  for (const { name, measure, flag } of b.said.columns) {
+    const [x, y] = [a.columns[name], b.columns[name]];
+    if (!same(x, y)) found.bits = false;
+    if (flag || measure < 0) continue;
+    x.forEach((value, i) => {
+      const off = Math.abs(value - y[i]);
+      if (!(Number.isNaN(value) && Number.isNaN(y[i]))) differs[measure] = Math.max(differs[measure], off);
+    });
+  }
+  differs.forEach((off, m) => {
+    const sum = measures[m].error + a.report.measures[m].error;
+    if (off > 0) found.ratio = Math.max(found.ratio, off / sum);
+  });
+  return found;
+};
+
+for (const constructor of constructors) {
+  test(`${constructor}: random scenes are the native ones`, async (t) => {
+    const r = generator(Number(SEED) + constructors.indexOf(constructor));
+    const seen = { scenes: 0, run: 0, bits: 0, bound: 0, worst_bound: 0, beyond: 0, worst: 0 };
+    for (let k = 0; k < Number(SCENES); k++) {
+      const text = JSON.stringify(randomScene(r, constructor));
+      const [a, b] = [here(text), await native.run(text, times)];
+      seen.scenes++;
+      const found = compare(a, b, text);
+      if (!b.report || b.report.status !== 0) continue;
+      seen.run++;
+      seen.bits += found.bits;
+      // The choice: the same models in the same order for the same reasons.
+      assert.deepEqual(a.models.map((one) => [one.model, one.applies, one.reason]),
+        b.models.map((one) => [one.model, one.applies, one.reason]), text);
+      assert.equal(a.code, b.code, text);
+      assert.deepEqual(a.audit.map((one) => [one.quantity, one.balanced]),
+        b.audit.map((one) => [one.quantity, one.balanced]), text);
+      if (b.report.error_is_bound) {
+        seen.bound++;
+        seen.worst_bound = Math.max(seen.worst_bound, found.ratio);
+        assert.ok(found.ratio <= 1, `${found.ratio} of both bounds: ${text}`);
+      } else {
+        seen.beyond += found.ratio > 1;
+        seen.worst = Math.max(seen.worst, found.ratio);
+      }
+    }
+    t.diagnostic(JSON.stringify(seen));
+    assert.ok(seen.run >= 0.8 * seen.scenes, `only ${seen.run} of ${seen.scenes} scenes ran`);
+    // Both estimates hold in 98 %.
+    assert.ok(seen.beyond <= Math.max(1, 0.02 * seen.run), JSON.stringify(seen));
+  });
+}
+
+test("the scenes of the page are the native ones", async () => {
+  const scenes = new URL("../scenes/", import.meta.url);
+  const read = (name) => JSON.parse(readFileSync(new URL(name, scenes), "utf8"));
+  const seen = new Set();
+  for (const id of read("list.json")) {
+    const { scene, settings } = read(`${id}.json`), text = JSON.stringify(scene);
+    const more = { ...times, end: settings.end, rows: 401 };
+    const [a, b] = [here(text, more), await native.run(text, more)];
+    assert.equal(a.report?.status, 0, `${id}: ${a.said.reason}`);
+    const found = compare(a, b, id);
+    assert.ok(found.ratio <= 1, `${id}: ${found.ratio}`);
+    assert.ok(a.audit.every((one) => one.balanced === 1), id);
+    seen.add(a.said.constraint);
+  }
+  // One of each constraint that needs no R function.
+  const all = new Set(constructors.map((one) =>
+    engine.read(JSON.stringify(randomScene(generator(3), one))).constraint));
+  assert.deepEqual([...seen].sort(), [...all].sort());
+});
+
+test("damaged texts end in a scene or in a refusal with a reason", async (t) => {
+  const r = generator(Number(SEED) + 1000), seen = { scenes: 0, refused: 0, traps: 0 };
+  for (let k = 0; k < Number(MUTANTS); k++) {
+    const text = mutated(r, JSON.stringify(randomScene(r, r.of(constructors))));
+    const said = engine.read(text);
+    // The native program, perhaps under sanitizers, says the same.
+    const { said: same } = await native.run(text, { ...times, rows: 0 });
+    assert.deepEqual(said, same, text);
+    if (said.status === 0) {
+      seen.scenes++;
+      const { report } = k % 20 ? { report: { status: 0 } } :
+        engine.run(text, { ...times, end: said.start_s + 1, rows: 5, steps: 2000 });
+      if (report.status === 12) seen.traps++;
+    } else {
+      seen.refused++;
+      if (said.status === 12) seen.traps++;
+      assert.ok(said.reason.length > 3, text);
+    }
+  }
+  t.diagnostic(JSON.stringify(seen));
+  assert.equal(seen.traps, 0);
+  assert.ok(seen.scenes > 0 && seen.refused > seen.scenes);
+});
+
+test("a refusal names the input", () => {
+  const refused = (scene) => engine.read(typeof scene === "string" ? scene : JSON.stringify(scene));
+  const axle = (inputs) => refused({ scene_axle: { body: 1, ...inputs } });
+  assert.equal(axle({ bodi: 1 }).input, "bodi");
+  assert.equal(axle({ body: -1 }).input, "body");
+  assert.equal(axle({ torque: "a" }).input, "torque");
+  assert.equal(axle({ theta0_rad: [1, 2] }).input, "theta0_rad");
+  assert.equal(axle({ resistance: { viscos: 1 } }).input, "viscos");
+  assert.equal(refused({ scene_axle: {} }).input, "body");
+  assert.equal(refused({ scene_axel: {} }).status, 2);
+  assert.equal(refused("{").status, 2);
+  assert.equal(refused('{"scene_axle":{"body":1,"body":2}}').status, 2);
+  assert.equal(refused('{"scene_format":2,"scene_axle":{"body":1}}').status, 2);
+  assert.equal(refused('{"scene_axle":{"body":1e999}}').input, "body");
+  assert.equal(refused("[".repeat(100000)).status, 2);
+  assert.equal(refused('{"scene_format":1,"scene_axle":{"body":1}}').status, 0);
+});
+
+test("a run without steps left tells how far it came", () => {
+  const chain = { scene_chain: { length_m: [1, 1], mass_kg: 1, theta0_rad: [2, 2.5] } };
+  const { report } = engine.run(JSON.stringify(chain), { ...times, end: 50, steps: 100 });
+  assert.equal(report.status, 5);
+  assert.ok(report.rows_done < times.rows && report.time_s < 50);
+});
