@@ -51,7 +51,9 @@ symmetric <- c(
   "hypot", "fmax", "fmin", "rot_two_sum", "rot_two_prod", "lapply", "vapply", "sapply", "Map",
   "mapply", "Filter", "Reduce", "do.call", "switch", "if", "for", "while", "return", "sizeof",
   "inherits", "library", "tryCatch", "withCallingHandlers", "test_that", "list", "structure",
-  "apply", "assign", "get0", "exists", "is.element", "isTRUE", "stopifnot", "outer", "crossprod"
+  "apply", "assign", "get0", "exists", "is.element", "isTRUE", "stopifnot", "outer", "crossprod",
+  # Sums and products, the same to the last bit in either order; the size of an allocation.
+  "rot_dd_mul", "rot_dd_add", "rot_pair_dd_mul", "rot_pair_dd_add", "fma", "calloc", "strcmp"
 )
 
 # ---- R ------------------------------------------------------------------------------------------
@@ -250,7 +252,8 @@ c_edits <- function(whole) {
   }
   declares <- function(i) {
     statement <- substr(code, from[first[i]], to[i])
-    grepl(type_words, statement) && !grepl("^(return|else|if|while|for|do) ?", statement)
+    grepl(type_words, statement) &&
+      !grepl("^(return|else|if|while|for|do)\\b", statement, perl = TRUE)
   }
   edits <- list()
   add <- function(kind, i, new) {

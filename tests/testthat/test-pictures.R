@@ -111,34 +111,37 @@ for (package in needs) skip_if_not_installed(package)
 lists$prepare(place)
 made <- function(expression) suppressWarnings(suppressMessages(eval(expression, place)))
 
-expect_picture <- function(plot) expect_snapshot(writeLines(picture_text(plot)))
-expect_middle_frame <- function(x) {
+middle_frame <- function(x) {
   film <- animate_motion(x, frames_per_s = 2)
   times <- film$film$time_s
-  expect_picture(ggplot2::autoplot(film, time_s = times[(length(times) + 1) %/% 2]))
+  ggplot2::autoplot(film, time_s = times[(length(times) + 1) %/% 2])
 }
 
 for (name in names(lists$classes)) {
-  test_that(paste("the picture of", name), {
+  test_that(paste("the picture and the print of", name), {
     object <- made(lists$classes[[name]])
-    expect_picture(ggplot2::autoplot(object))
-    if (name %in% says_times) return()
-    expect_snapshot(writeLines(without_rounding(cli::ansi_strip(capture.output(print(object))))))
+    printed <- if (!name %in% says_times) cli::ansi_strip(utils::capture.output(print(object)))
+    text <- c(picture_text(ggplot2::autoplot(object)), "", without_rounding(printed))
+    expect_snapshot(writeLines(text))
   })
 }
 
 for (name in names(lists$scenes)) {
   test_that(paste("the pictures of", name), {
     scene <- made(lists$scenes[[name]])
-    expect_picture(ggplot2::autoplot(scene[[1]]))
     motion <- trajectory(scene[[1]], scene[[2]])
-    expect_picture(ggplot2::autoplot(motion))
-    if (name != "scene_equations") expect_middle_frame(motion)
+    frame <- if (name != "scene_equations") picture_text(middle_frame(motion))
+    text <- c(
+      picture_text(ggplot2::autoplot(scene[[1]])), "", picture_text(ggplot2::autoplot(motion)), "",
+      frame
+    )
+    expect_snapshot(writeLines(text))
   })
 }
 
 for (name in names(lists$animations)) {
   test_that(paste("a frame of", name), {
-    expect_middle_frame(made(lists$animations[[name]]))
+    text <- picture_text(middle_frame(made(lists$animations[[name]])))
+    expect_snapshot(writeLines(text))
   })
 }
