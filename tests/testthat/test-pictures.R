@@ -17,7 +17,7 @@ gallery_lists <- function() {
 
 # Numbers of the level of rounding differ between machines.
 without_rounding <- function(text) {
-  gsub("[-+]?[0-9][0-9.]*e-(1[1-9]|[2-9][0-9]|[1-3][0-9][0-9])", "<rounding>", text)
+  gsub(" *[-+]?[0-9][0-9.]*e-(1[1-9]|[2-9][0-9]|[1-3][0-9][0-9])", " <rounding>", text)
 }
 
 numbers_text <- function(x) {

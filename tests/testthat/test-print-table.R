@@ -351,3 +351,23 @@ test_that("the summary of a fit and of an estimate is one row, not quartiles of 
     expect_error(summary(one, colour_of_it = 1), class = "rotdyn_error_argument")
   }
 })
+
+# Numbers of the level of rounding differ between machines.
+printed <- function(x) {
+  lines <- cli::ansi_strip(utils::capture.output(print(x)))
+  gsub(" *[-+]?[0-9][0-9.]*e-(1[1-9]|[2-9][0-9]|[1-3][0-9][0-9])", " <rounding>", lines)
+}
+
+test_that("tables print this", {
+  all <- suppressWarnings(suppressMessages(tables()))
+  # Residuals of rounding are an exact 0 on some machines.
+  all[c("columns", "models", "structure", "reactions")] <- NULL
+  text <- unlist(lapply(names(all), function(name) c("", toupper(name), printed(all[[name]]))))
+  expect_snapshot(writeLines(text))
+})
+
+test_that("other objects print this", {
+  all <- suppressWarnings(suppressMessages(others()))
+  text <- unlist(lapply(all, function(one) c("", printed(one[[1]]))))
+  expect_snapshot(writeLines(text))
+})
