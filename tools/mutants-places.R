@@ -102,6 +102,21 @@ r_edits <- function(whole) {
     if (!ascii[data$line1[row]] || in_message(row)) return()
     edits[[length(edits) + 1L]] <<- edit(kind, data$from[row], to, new)
   }
+  # Whether what a call returns is used in whatever order: sort(unique(c(a, b))), x %in% c(a, b).
+  unordered <- function(row) {
+    repeat {
+      above <- parent(row)
+      if (is.na(above)) return(FALSE)
+      name <- called(above)
+      if (name %in% c("sort", "range", "max", "min", "sum", "any", "all", "length")) return(TRUE)
+      operator <- data$token[kids(above)]
+      if (any(operator == "SPECIAL")) {
+        return(any(data$text[kids(above)] == "%in%") && utils::tail(kids(above), 1L) == row)
+      }
+      if (!name %in% c("unique", "c", "abs", "unlist")) return(FALSE)
+      row <- above
+    }
+  }
   plotted <- function(rows) any(grepl("ggplot2::|geom_|theme|scale_", data$text[rows]))
 
   for (row in which(data$terminal)) {
@@ -177,6 +192,7 @@ r_edits <- function(whole) {
     second <- data$text[b]
     if (first == second) next
     if (any(grepl("^[\"']|^function|^\\\\\\(|^ffi_", c(first, second)))) next
+    if (name == "c" && unordered(row)) next
     if (!all(ascii[data$line1[a]:data$line2[b]]) || in_message(row)) next
     between <- substr(whole, data$to[a] + 1L, data$from[b] - 1L)
     edits[[length(edits) + 1L]] <- edit(
