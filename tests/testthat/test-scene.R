@@ -137,3 +137,11 @@ test_that("a symmetric body through its own axis says nothing, one beside it say
   expect_identical(about(body_rod_end(1, 2)), 0) # names its axle
   expect_identical(about(disk), 0)
 })
+
+test_that("an axis is scaled to unit length unless rounding alone is left", {
+  axis_of <- function(axis) as.double(scene_axle(body_box(1, 0.1, 0.2, 0.3), axis = axis)$axis)
+  expect_identical(axis_of(c(0.6, 0.8, 0)), c(0.6, 0.8, 0))
+  expect_lte(abs(sum(axis_of(c(0.6, 0.8, 0) * (1 + 1e-13))^2) - 1), 4 * .Machine$double.eps)
+  expect_identical(axis_of(c(0, 0, 1 + 1e-13)), c(0, 0, 1))
+  expect_identical(axis_of(c(0, 0, 5e300)), c(0, 0, 1))
+})
