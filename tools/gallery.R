@@ -5,7 +5,8 @@
 #   Rscript tools/gallery.R            all
 #   Rscript tools/gallery.R PATTERN    those whose file name matches; the sheet has these alone
 #
-# tests/testthat/test-gallery.R reads the first four lists: alist() computes nothing.
+# tests/testthat/test-gallery.R and test-pictures.R read the first four lists: alist() computes
+# nothing.
 
 # An example of each class with an autoplot() method. A name after a dot tells two of a class apart.
 classes <- alist(
@@ -271,7 +272,7 @@ exceptions <- c(
 
 # ---- what the examples share --------------------------------------------------------------------
 
-prepare <- function() {
+prepare <- function(where = globalenv()) {
   evalq({
     disk <- body_disk(2, 0.25)
     ball <- body_sphere(0.17, 0.0286)
@@ -308,7 +309,7 @@ prepare <- function() {
       17.63, 17.48, 17.59, 17.64, 17.71, 17.69, 17.66, 17.74,
       17.52, 17.49, 17.55, 17.50, 15.82, 15.86, 15.79, 15.80
     ))
-  }, globalenv())
+  }, where)
 }
 
 # ---- the pictures -------------------------------------------------------------------------------

@@ -51,7 +51,9 @@ symmetric <- c(
   "hypot", "fmax", "fmin", "rot_two_sum", "rot_two_prod", "lapply", "vapply", "sapply", "Map",
   "mapply", "Filter", "Reduce", "do.call", "switch", "if", "for", "while", "return", "sizeof",
   "inherits", "library", "tryCatch", "withCallingHandlers", "test_that", "list", "structure",
-  "apply", "assign", "get0", "exists", "is.element", "isTRUE", "stopifnot", "outer", "crossprod"
+  "apply", "assign", "get0", "exists", "is.element", "isTRUE", "stopifnot", "outer", "crossprod",
+  # Sums and products, the same to the last bit in either order; the size of an allocation.
+  "rot_dd_mul", "rot_dd_add", "rot_pair_dd_mul", "rot_pair_dd_add", "fma", "calloc", "strcmp"
 )
 
 # ---- R ------------------------------------------------------------------------------------------
@@ -99,6 +101,21 @@ r_edits <- function(whole) {
   add <- function(kind, row, new, to = data$to[row]) {
     if (!ascii[data$line1[row]] || in_message(row)) return()
     edits[[length(edits) + 1L]] <<- edit(kind, data$from[row], to, new)
+  }
+  # Whether what a call returns is used in whatever order: sort(unique(c(a, b))), x %in% c(a, b).
+  unordered <- function(row) {
+    repeat {
+      above <- parent(row)
+      if (is.na(above)) return(FALSE)
+      name <- called(above)
+      if (name %in% c("sort", "range", "max", "min", "sum", "any", "all", "length")) return(TRUE)
+      operator <- data$token[kids(above)]
+      if (any(operator == "SPECIAL")) {
+        return(any(data$text[kids(above)] == "%in%") && utils::tail(kids(above), 1L) == row)
+      }
+      if (!name %in% c("unique", "c", "abs", "unlist")) return(FALSE)
+      row <- above
+    }
   }
   plotted <- function(rows) any(grepl("ggplot2::|geom_|theme|scale_", data$text[rows]))
 
@@ -175,6 +192,7 @@ r_edits <- function(whole) {
     second <- data$text[b]
     if (first == second) next
     if (any(grepl("^[\"']|^function|^\\\\\\(|^ffi_", c(first, second)))) next
+    if (name == "c" && unordered(row)) next
     if (!all(ascii[data$line1[a]:data$line2[b]]) || in_message(row)) next
     between <- substr(whole, data$to[a] + 1L, data$from[b] - 1L)
     edits[[length(edits) + 1L]] <- edit(
@@ -250,7 +268,8 @@ c_edits <- function(whole) {
   }
   declares <- function(i) {
     statement <- substr(code, from[first[i]], to[i])
-    grepl(type_words, statement) && !grepl("^(return|else|if|while|for|do) ?", statement)
+    grepl(type_words, statement) &&
+      !grepl("^(return|else|if|while|for|do)\\b", statement, perl = TRUE)
   }
   edits <- list()
   add <- function(kind, i, new) {

@@ -42,6 +42,9 @@ read_topics <- function() {
 }
 topics <- read_topics()
 
+# Tests of whatever the package has: those of their blocks run that call the changed function.
+general <- c("signatures", "pictures", "print-table")
+
 # Paths of the programs and files that test `file`, in their order.
 tests_of <- function(file) {
   topic <- sub("^(R|src/core|src/glue)/(.*)[.][Rch]$", "\\2", file)
@@ -56,7 +59,10 @@ tests_of <- function(file) {
     path[file.exists(file.path(tests, path))]
   }
   kind <- if (core) "core" else "testthat"
-  unique(c(name(kind, c(topic, first)), if (core) name("testthat", after)))
+  unique(c(
+    name(kind, c(topic, first)), if (core) name("testthat", after),
+    if (startsWith(file, "R/")) name("testthat", general)
+  ))
 }
 
 # ---- changes that are listed --------------------------------------------------------------------
@@ -205,8 +211,11 @@ functions_at <- function(file, line) {
 blocks_of <- function(test, names) {
   known <- calls[[test]]
   costs <- vapply(known$blocks, `[[`, 0, "cpu_s")
+  # A block that calls nothing looks at the functions themselves.
   wanted <- if (is.null(names) || any(names %in% known$outside)) seq_along(costs) else
-    which(vapply(known$blocks, function(block) any(names %in% block$calls), NA))
+    which(vapply(known$blocks, function(block) {
+      !length(block$calls) || any(names %in% block$calls)
+    }, NA))
   list(
     wanted = wanted, cpu_s = sum(costs[wanted]) + max(0, known$cpu_s - sum(costs)),
     limit_s = 10 + 5 * (sum(costs[wanted]) + max(0, known$cpu_s - sum(costs)))

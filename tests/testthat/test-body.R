@@ -110,3 +110,13 @@ test_that("a print says where an axle passes", {
   expect_identical(said(placed, c(0, 0, 0)), "through the origin of the own axes")
   expect_identical(said(placed, c(0, 0.25, 0)), "through (0, 0.25, 0) m")
 })
+
+test_that("a centre of mass beyond four roundings of the size is printed, one within is none", {
+  # Of a disk of radius 2 m the root of the second moments over the mass is sqrt(2) m.
+  said <- function(x_m) {
+    body <- place_body(body_disk(1, 2), c(x_m, 0, 0))
+    any(grepl("^  centre", utils::capture.output(print(body))))
+  }
+  expect_true(said(6 * 2^-52))
+  expect_false(said(5 * 2^-52))
+})

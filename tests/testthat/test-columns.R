@@ -89,3 +89,28 @@ test_that("the dictionary begins with the columns of the package, then those of 
   own <- vapply(rotdyn:::column_list, `[[`, "", 1)
   expect_identical(head(table$name, length(own)), own)
 })
+
+test_that("the unit of a name is the longest one in which it ends", {
+  expect_identical(unit_of_name("theta_rad"), "rad")
+  expect_identical(unit_of_name("omega_rad_per_s"), "rad/s")
+  expect_identical(unit_of_name("angular_momentum_x_kg_m2_per_s"), "kg m^2/s")
+  expect_identical(unit_of_name("tilt_deg"), "degree")
+  expect_identical(unit_of_name("beta"), "1")
+  expect_identical(
+    without_unit(c("theta_rad", "omega_rad_per_s", "tilt_deg", "beta", "l_kg_m2_per_s")),
+    c("theta", "omega", "tilt", "beta", "l")
+  )
+})
+
+test_that("help lists columns with their units, and meanings of a page in place of the table's", {
+  meanings <- c(omega_rad_per_s = "its `rate`", other = "no")
+  expect_identical(
+    describe_columns(c("omega_rad_per_s", "model"), meanings),
+    paste0(
+      "\\itemize{\n\\item \\code{omega_rad_per_s} (rad/s): its rate\n",
+      "\\item \\code{model}: name of the model, as in models()\n}"
+    )
+  )
+  # A ratio has no unit to name.
+  expect_match(describe_columns("beta"), "^\\\\itemize\\{\n\\\\item \\\\code\\{beta\\}: ")
+})

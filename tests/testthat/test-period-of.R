@@ -89,3 +89,24 @@ test_that("a vertical top has the slow precession beside the vertical", {
   still <- scene_pivot(body_disk(0.4, 0.06), c(0, 0, 0), pivot_m = c(0, 0, 0.04))
   expect_false(is.finite(tryCatch(period_of(still)$period_s[1], rotdyn_error = function(e) NaN)))
 })
+
+test_that("a top nods by the amplitude that its motion shows", {
+  top <- scene_pivot(
+    c(0.02, 0.02, 0.03), c(0, 0, 60), mass_kg = 2, centre_m = c(0, 0, 0.1),
+    attitude0 = attitude_from(c(1, 0, 0, pi / 3), "axis_angle")
+  )
+  got <- period_of(top)
+  expect_identical(got$kind, c("precession", "nutation"))
+  # The angle of the body's axis to the vertical over one nutation: cos = 1 - 2 (qx^2 + qy^2).
+  motion <- trajectory(top, seq(0, got$period_s[2], length.out = 2001))
+  polar <- acos(1 - 2 * (motion$qx^2 + motion$qy^2))
+  expect_equal(got$amplitude_rad[2], diff(range(polar)) / 2, tolerance = 1e-6)
+  expect_identical(got$amplitude_rad[1], NaN)
+  # It turns by the azimuth of the axis in that time, so often as it nods.
+  azimuth <- function(m) atan2(
+    2 * (m$qy * m$qz - m$qw * m$qx), 2 * (m$qx * m$qz + m$qw * m$qy)
+  )
+  turned <- diff(azimuth(motion[c(1, nrow(motion)), ])) %% (2 * pi)
+  expect_equal(2 * pi / got$period_s[1], min(turned, 2 * pi - turned) / got$period_s[2],
+               tolerance = 1e-6)
+})

@@ -30,3 +30,13 @@ test_that("modes draw without a warning, with their frequencies", {
   expect_match(levels(ggplot2::autoplot(many, modes = 30)$data$panel), "mode 30")
   expect_error(ggplot2::autoplot(many, modes = 31), class = "rotdyn_error_value")
 })
+
+test_that("the largest angle of each shape is 1, and shapes are orthogonal by the inertia", {
+  expect_identical(mode_shapes(2, numeric()), matrix(1))
+  inertia <- c(1, 2, 5)
+  shapes <- mode_shapes(inertia, c(100, 30))
+  expect_equal(apply(abs(shapes), 2, max), c(1, 1, 1))
+  product <- crossprod(shapes, inertia * shapes)
+  expect_lt(max(abs(product[upper.tri(product)])), 1e-12)
+  expect_equal(shapes[, 1], c(1, 1, 1)) # all turn together without a spring
+})

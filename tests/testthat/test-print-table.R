@@ -351,3 +351,41 @@ test_that("the summary of a fit and of an estimate is one row, not quartiles of 
     expect_error(summary(one, colour_of_it = 1), class = "rotdyn_error_argument")
   }
 })
+
+# Numbers of the level of rounding differ between machines.
+printed <- function(x) {
+  lines <- cli::ansi_strip(utils::capture.output(print(x)))
+  gsub(" *[-+]?[0-9][0-9.]*e-(1[1-9]|[2-9][0-9]|[1-3][0-9][0-9])", " <rounding>", lines)
+}
+
+# Columns that a print leaves out: their ends, range and mean.
+columns_text <- function(x) {
+  if (!is.data.frame(x) || nrow(x) < 2L) return(NULL)
+  numbers <- Filter(function(column) is.double(column) && is.null(dim(column)), as.list(x))
+  unlist(lapply(names(numbers), function(name) {
+    known <- numbers[[name]][is.finite(numbers[[name]])]
+    if (!length(known)) return(NULL)
+    size <- max(abs(known))
+    if (size < 1e-9) return(NULL)
+    said <- c(known[1], known[length(known)], min(known), max(known), mean(known))
+    said[abs(said) < 1e-9 * size] <- 0
+    # What is halfway between two texts is the same one everywhere.
+    paste0(name, ": ", paste(format(said * (1 + 1e-10), digits = 6, trim = TRUE), collapse = ", "))
+  }))
+}
+
+test_that("tables print this, and have these columns", {
+  all <- suppressWarnings(suppressMessages(tables()))
+  # Residuals of rounding are an exact 0 on some machines.
+  all[c("columns", "models", "structure", "reactions")] <- NULL
+  text <- unlist(lapply(names(all), function(name) {
+    c("", toupper(name), printed(all[[name]]), columns_text(all[[name]]))
+  }))
+  expect_snapshot(writeLines(text))
+})
+
+test_that("other objects print this", {
+  all <- suppressWarnings(suppressMessages(others()))
+  text <- unlist(lapply(all, function(one) c("", printed(one[[1]]))))
+  expect_snapshot(writeLines(text))
+})

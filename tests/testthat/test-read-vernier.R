@@ -95,3 +95,10 @@ test_that("a tenth of the cells of a run may be no number, not more", {
   expect_equal(sum(is.finite(read_with(4)$theta_rad)), 36)
   expect_error(read_with(5), "no number", class = "rotdyn_error_file")
 })
+
+test_that("a name of one letter ends no archive", {
+  field <- function(text, n) c(charToRaw(text), raw(n - nchar(text)))
+  head <- c(field("a", 100), raw(24), field("00000000003", 12), raw(376))
+  entry <- c(head, charToRaw("xyz"), raw(509))
+  expect_identical(tar_files(c(entry, raw(1024)), "x.tar", NULL), list(a = charToRaw("xyz")))
+})

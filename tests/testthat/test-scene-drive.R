@@ -101,3 +101,33 @@ test_that("an efficiency lies above 0 and is at most 1", {
     expect_error(coupling_gear(2, efficiency = wrong), "efficiency", class = "rotdyn_error_value")
   }
 })
+
+test_that("meshed rotors hold until the torque exceeds the friction of all, seen at the first", {
+  # Rotor 1 turns twice as fast: dry friction of 2 N m at rotor 2 is 1 N m at rotor 1, beside its 1.
+  motion <- function(torque) {
+    trajectory(scene_drive(
+      c(1, 1), coupling_gear(2), torque = list(torque, NULL),
+      resistance = list(resistance(coulomb_n_m = 1), resistance(coulomb_n_m = 2))
+    ), 1)
+  }
+  held <- motion(1.99)
+  expect_identical(held$theta_rad, c(0, 0))
+  # At rest the two share the load by their capacities; the mesh gives what rotor 2 takes.
+  expect_equal(held$damping_torque_n_m, -1.99 * c(1, 2) / 2)
+  expect_equal(held$coupling_torque_n_m[1], 1.99 / 2)
+  # Beyond: (T - 2)/(J1 + J2/4), half of it squared.
+  slips <- motion(2.5)
+  expect_equal(slips$theta_rad, 0.5 / 1.25 / 2 * c(1, 0.5), tolerance = 1e-9)
+  expect_equal(slips$damping_torque_n_m, c(-1, -2))
+})
+
+test_that("static friction alone holds a rotor of a drive", {
+  motion <- function(torque) {
+    trajectory(scene_drive(
+      c(1, 2), coupling_shaft(5), torque = list(torque, NULL),
+      resistance = list(resistance(static_n_m = 0.4), NULL)
+    ), 0:2)
+  }
+  expect_true(all(motion(0.39)$theta_rad == 0))
+  expect_gt(motion(0.41)$theta_rad[5], 0)
+})

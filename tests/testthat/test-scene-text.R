@@ -402,3 +402,29 @@ test_that("texts are indented by at most eight blanks", {
     expect_error(write_scene(scene, indent = indent), class = "rotdyn_error_value")
   }
 })
+
+test_that("scenes are written like this", {
+  text <- unlist(lapply(scenes_of_all(), write_scene))
+  # Twelve digits: sines and cosines differ in the last between machines.
+  number <- "-?[0-9]+[.][0-9]{12,}(e[-+]?[0-9]+)?"
+  at <- gregexpr(number, text)
+  regmatches(text, at) <- lapply(regmatches(text, at), function(x) {
+    format(as.numeric(x) * (1 + 1e-15), digits = 12, trim = TRUE)
+  })
+  expect_snapshot(writeLines(text))
+})
+
+test_that("each law of torque is written by the arguments of its constructor", {
+  laws <- list(
+    torque_polynomial = torque_polynomial(c(0, 1, 3), rbind(c(1, 2, 3), c(3, 2, 1))),
+    torque_sinusoid = torque_sinusoid(1, 2, 0.3, from_s = 1),
+    torque_exponential = torque_exponential(1, 0.2),
+    torque_curve = torque_curve(c(0, 1, 4), c(3, 2, 1)), torque_spring = torque_spring(2, 0.5)
+  )
+  for (name in names(laws)) {
+    text <- write_scene(scene_axle(1, laws[[name]]))
+    expect_match(text, paste0("\"", name, "\""), fixed = TRUE)
+  }
+  text <- gsub("\\s", "", write_scene(scene_axle(1, laws$torque_curve)))
+  expect_match(text, "\"omega_rad_per_s\":[0,1,4],\"torque_n_m\":[3,2,1]", fixed = TRUE)
+})

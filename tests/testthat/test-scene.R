@@ -128,3 +128,20 @@ test_that("a resistance that was left out of the motion has its heat all the sam
   want <- vapply(0:4, function(t) stats::integrate(heat, 0, t, rel.tol = 1e-12)$value, 0)
   expect_equal(augment(motion)$dissipated_quadratic_j, want, tolerance = 1e-10)
 })
+
+test_that("a symmetric body through its own axis says nothing, one beside it says how far", {
+  about <- function(body) off_own_axis(body, c(0, 0, 1))
+  disk <- body_disk(2, 0.25)
+  expect_identical(about(place_body(disk, c(0, 0, 3))), 0) # along the axis
+  expect_equal(about(place_body(disk, c(0.3, 0.4, 3))), 0.5)
+  expect_identical(about(body_rod_end(1, 2)), 0) # names its axle
+  expect_identical(about(disk), 0)
+})
+
+test_that("an axis is scaled to unit length unless rounding alone is left", {
+  axis_of <- function(axis) as.double(scene_axle(body_box(1, 0.1, 0.2, 0.3), axis = axis)$axis)
+  expect_identical(axis_of(c(0.6, 0.8, 0)), c(0.6, 0.8, 0))
+  expect_lte(abs(sum(axis_of(c(0.6, 0.8, 0) * (1 + 1e-13))^2) - 1), 4 * .Machine$double.eps)
+  expect_identical(axis_of(c(0, 0, 1 + 1e-13)), c(0, 0, 1))
+  expect_identical(axis_of(c(0, 0, 5e300)), c(0, 0, 1))
+})

@@ -105,3 +105,17 @@ test_that("the axis of a hinge by its name", {
   expect_identical(support_hinge(c(0, 0, 1), "z"), support_hinge(c(0, 0, 1), c(0, 0, 1)))
   expect_error(support_hinge(c(0, 0, 1), "w"), class = "rotdyn_error_value")
 })
+
+test_that("an edited support without a friction, or with a negative one, is refused", {
+  floor <- support_surface(c(0, 0), c(0, 1), friction = 0.4)
+  for (friction in c(NA, -0.1)) {
+    cut <- floor
+    cut$friction <- friction
+    expect_error(
+      static_equilibrium(forces(load_force(c(0, -1), c(0, 0))), list(cut)),
+      class = "rotdyn_error"
+    )
+    expect_false(support_is_whole(cut))
+  }
+  expect_true(support_is_whole(floor))
+})

@@ -70,6 +70,9 @@ static void check_density(void) {
   ROT_CHECK_EQ_INT(rot_tetrahedron(corners, 7.0, 1, &b, &fault), ROT_OK);
   ROT_CHECK_ULP(b.mass_kg, 7.0, 1);
   ROT_CHECK_ULP(b.measure, 1.0, 1);
+  ROT_CHECK(b.error == 8.0 * ROT_EPS); /* a mass that is computed adds four roundings */
+  ROT_CHECK_EQ_INT(rot_tetrahedron(corners, 7.0, 0, &b, &fault), ROT_OK);
+  ROT_CHECK(b.error == 4.0 * ROT_EPS && b.mass_kg == 7.0);
 }
 
 /* The same corners elsewhere and at other scales: coordinates that are exact there give the same

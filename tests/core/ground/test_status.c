@@ -23,6 +23,9 @@ static void check_texts(void) {
 static void check_unknown_code(void) {
   ROT_CHECK(strcmp(rot_status_text(ROT_STATUS_COUNT), "unknown status") == 0);
   ROT_CHECK(strcmp(rot_status_kind(ROT_STATUS_COUNT), "internal") == 0);
+  ROT_CHECK(strcmp(rot_method_name(ROT_METHOD_COUNT), "unknown method") == 0);
+  ROT_CHECK(strcmp(rot_method_name(ROT_METHOD_NONE), "none") == 0);
+  ROT_CHECK(strcmp(rot_method_name(ROT_METHOD_SPLIT), "split") == 0);
 }
 
 static void check_clear(void) {

@@ -149,6 +149,22 @@ static void test_limits(void) {
   ROT_CHECK_ULP(rot_carlson_rf(1e-30, 0.0, 1.0), 35.925070756030575837, 2);
 }
 
+/* Beyond K by less than a reduction leaves: cn(K + w) = -k' sd(w) = -cn(K - w). */
+static void test_beyond(void) {
+  const double m1[] = {0.9, 0.5, 0.1, 1e-6};
+  for (int i = 0; i < 4; i++) {
+    rot_jacobi jacobi;
+    double sn, cn, dn;
+    rot_jacobi_begin((rot_dd){m1[i], 0.0}, &jacobi);
+    rot_jacobi_at(&jacobi, rot_dd_add1(jacobi.k, 1e-10), &sn, &cn, &dn);
+    ROT_CHECK_REL(cn, -1e-10 * sqrt(m1[i]), 1e-14);
+    ROT_CHECK(sn == 1.0);
+    ROT_CHECK_REL(dn, sqrt(m1[i]), 1e-14);
+    rot_jacobi_at(&jacobi, rot_dd_add1(jacobi.k, -1e-10), &sn, &cn, &dn);
+    ROT_CHECK_REL(cn, 1e-10 * sqrt(m1[i]), 1e-14);
+  }
+}
+
 /* Addition of a period, and sn^2 + cn^2 = 1, dn^2 = m1 + m cn^2, at random. */
 static void test_identities(void) {
   double x = 0.3;
@@ -201,5 +217,6 @@ int main(void) {
   test_shared();
   test_limits();
   test_identities();
+  test_beyond();
   return rot_test_report("jacobi");
 }

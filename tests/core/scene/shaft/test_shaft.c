@@ -416,6 +416,13 @@ static void check_frequencies(void) {
     ROT_CHECK_EQ_INT(rot_shaft_frequencies(&two, sigma, NULL), ROT_OK);
     ROT_CHECK_REL(sigma[1], sqrt(7.0 * 5.0 / 6.0), 1e-15);
   }
+  /* A missing spring separates two such pairs: two modes without a frequency. */
+  double four[4] = {2.0, 3.0, 1.0, 4.0}, springs[3] = {7.0, 0.0, 5.0};
+  const rot_shaft_params split = {4, four, springs, zero, zero, zero, zero, zero, 0.0};
+  ROT_CHECK_EQ_INT(rot_shaft_frequencies(&split, sigma, NULL), ROT_OK);
+  ROT_CHECK(sigma[0] == 0.0 && sigma[1] == 0.0);
+  ROT_CHECK_REL(sigma[2], sqrt(7.0 * 5.0 / 6.0), 1e-15);
+  ROT_CHECK_REL(sigma[3], sqrt(5.0 * 5.0 / 4.0), 1e-15);
 }
 
 /* 64 rotors, damped outside at one end only: the balance of momentum and of energy. */
