@@ -114,7 +114,11 @@ noisy <- function(x, kind, sigma, step) {
       e[1] <- stats::rnorm(1)
       x + sigma * as.vector(stats::filter(e, rho, "recursive"))
     },
-    counter = step * round(x / step)
+    # The zero of a counter is anywhere in a step.
+    counter = {
+      zero <- stats::runif(1, 0, step)
+      step * round((x + zero) / step) - zero
+    }
   )
 }
 
