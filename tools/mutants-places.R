@@ -291,7 +291,9 @@ c_edits <- function(whole) {
     } else if (text %in% c("<", ">", "<=", ">=", "==", "!=") && spaced[i] && !in_for[i]) {
       add("comparison", i, opposite[[text]])
     } else if (text %in% c("&&", "||")) {
-      add("logic", i, opposite[[text]])
+      # Of allocations that fail one by one, which no test can make.
+      end <- i + match(";", token[i:n], nomatch = 1L) - 1L
+      if (!grepl("ROT_ENOMEM", substr(code, from[i], to[end]))) add("logic", i, opposite[[text]])
     } else if (grepl("^[0-9]$", text) && before[i] == "[" && token[i + 1L] == "]" &&
                (assigned[i] || !declares(i))) {
       index <- as.integer(text)

@@ -43,7 +43,7 @@ read_topics <- function() {
 topics <- read_topics()
 
 # Tests of whatever the package has: those of their blocks run that call the changed function.
-general <- c("signatures", "pictures", "print-table")
+general <- c("signatures", "pictures", "print-table", "wrong-arguments")
 
 # Paths of the programs and files that test `file`, in their order.
 tests_of <- function(file) {

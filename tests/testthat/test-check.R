@@ -93,3 +93,14 @@ test_that("times that go back are told with the first place where they do", {
   )
   expect_match(conditionMessage(e), "Element 4 is 1.5 after 2")
 })
+
+test_that("a name is one plain text", {
+  expect_identical(check_name("a", "x", NULL), "a")
+  wrong <- list(type = 1, type = structure("a", class = "b"), type = NA_character_, type = NULL,
+                type = list("a"), size = c("a", "b"), size = character())
+  for (k in seq_along(wrong)) {
+    expect_error(
+      check_name(wrong[[k]], "x", NULL), class = paste0("rotdyn_error_", names(wrong)[k])
+    )
+  }
+})

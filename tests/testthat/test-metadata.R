@@ -123,3 +123,13 @@ test_that("what is no named list of tables is refused for that", {
     expect_error(check_metadata(x), "named list of tables", class = "rotdyn_error_type")
   }
 })
+
+test_that("the kind of an assumption is that of its first word, by the order of kinds", {
+  expect_identical(
+    kind_of_words(c(
+      "torque of the motor", "centre of mass", "a plane", "length", "friction of the gears",
+      "rigid bodies"
+    )),
+    c("load", "mass", "contact", "size", "resistance", "rigidity")
+  )
+})

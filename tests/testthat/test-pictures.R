@@ -12,6 +12,8 @@ gallery_lists <- function() {
   sys.source(path, found)
   # Times of computers, and residuals that are rounding alone.
   found$classes[c("rot_work_precision", "rot_audit.rounding", "rot_animation")] <- NULL
+  # Fits of scenes have test-fit-scene.R.
+  found$classes[startsWith(names(found$classes), "rot_fit")] <- NULL
   found
 }
 

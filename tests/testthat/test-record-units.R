@@ -34,3 +34,12 @@ test_that("each word of a unit is its multiple of the SI unit", {
   same(c("dps", "deg/s", "degrees/second"), pi / 180)
   same(c("km", "cm", "mm", "um", "inch"), c(1e3, 1e-2, 1e-3, 1e-6, 0.0254))
 })
+
+test_that("what stands in the place of a unit is said, known or not", {
+  said <- function(heading) parse_heading(heading)[c("name", "said")]
+  expect_identical(said("angle [furlong]"), list(name = "angle", said = "furlong"))
+  expect_identical(said("(a) angle (b)"), list(name = "(a) angle", said = "b"))
+  expect_identical(said("theta (deg)"), list(name = "theta", said = "deg"))
+  expect_null(parse_heading("angle [furlong]")$unit)
+  expect_null(said("angle")$said)
+})

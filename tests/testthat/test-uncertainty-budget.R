@@ -119,3 +119,12 @@ test_that("errors are the package's own", {
   expect_error(uncertainty_budget(function(a, b, c) a, m, n, measured(1, 1), correlation = r),
     class = "rotdyn_error_value")
 })
+
+test_that("numbers without a name are the arguments that are left, in their order", {
+  area <- measured(0.1, 1e-3)
+  budget <- uncertainty_budget(function(m, r) m * r^2, r = area, measured(1, 0.01))
+  expect_identical(budget$contributions$input, c("r", "m"))
+  # Of m r^2: 2 m r and r^2.
+  expect_equal(budget$contributions$sensitivity, c(0.2, 0.01), tolerance = 1e-6)
+  expect_equal(budget$contributions$share, c(4, 1) / 5, tolerance = 1e-6)
+})

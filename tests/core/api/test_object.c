@@ -413,6 +413,28 @@ static void check_wrong_runs(void) {
   rotdyn_object_free(scene);
 }
 
+/* Far from zero the end of a pulse is a rounded number, 1e-13 of its duration off: the impulse
+ * is torque times duration all the same. */
+static void check_pulse(void) {
+  static const double start_s[] = {0.0, 10.0, 1000.0, 1e6};
+  for (int i = 0; i < 4; i++) {
+    rotdyn_object *scene = rotdyn_object_new("scene_axle"), *pulse;
+    const double end = 2.0 * start_s[i] + 1.0;
+    const char *name = "omega_rad_per_s";
+    double value[1], *columns[] = {value};
+    pulse = rotdyn_object_new("torque_pulse");
+    (void)rotdyn_set_number(pulse, "start_s", start_s[i]);
+    (void)rotdyn_set_number(pulse, "duration_s", 0.1);
+    (void)rotdyn_set_number(pulse, "torque_n_m", 2.0);
+    (void)rotdyn_set_number(scene, "body", 1.0);
+    (void)rotdyn_set_object(scene, "torque", pulse);
+    ROT_CHECK_EQ_INT(rotdyn_scene_run(scene, 1, &end, NULL, 1, 1, &name, columns, NULL), ROTDYN_OK);
+    ROT_CHECK_ULP(value[0], 0.2, 2);
+    rotdyn_object_free(pulse);
+    rotdyn_object_free(scene);
+  }
+}
+
 int main(void) {
   check_lists();
   check_shapes();
@@ -421,5 +443,6 @@ int main(void) {
   check_refusals();
   check_rows();
   check_wrong_runs();
+  check_pulse();
   return rot_test_report("api object");
 }
