@@ -1,8 +1,8 @@
 #!/bin/sh
 # `make check-cran`: what CRAN's machines do with the tarball: R CMD check --as-cran without
-# NOT_CRAN and with at most two threads. Prints the verdicts, the processor time by part, the licences
-# of all files, and what a maintainer must fill in. What asks another host is switched off, as in
-# tools/run-tests.sh. VIGNETTES=no leaves the vignettes out. The last line is
+# NOT_CRAN and with at most two threads. Prints the verdicts, the processor time by part, the
+# licences of all files, and what a maintainer must fill in. What asks another host is
+# switched off, as in tools/run-tests.sh. VIGNETTES=no leaves the vignettes out. The last line is
 # `cran: N passed, N failed, N skipped`.
 . "${0%/*}/common.sh"
 

@@ -1,6 +1,6 @@
 # Rscript tools/check-spelling.R [write]: spells DESCRIPTION, help pages, README, NEWS and the
-# lessons with aspell, where it is installed. inst/WORDLIST has the words of the field; `write` adds what
-# is unknown to it: read the diff. The last line is `spelling: N passed, N failed, N skipped`.
+# lessons with aspell, where it is installed. inst/WORDLIST has the words of the field; `write` adds
+# what is unknown to it: read the diff. The last line is `spelling: N passed, N failed, N skipped`.
 
 if (!nzchar(Sys.which("aspell"))) {
   cat("skip - aspell is not installed\nspelling: 0 passed, 0 failed, 1 skipped\n")
