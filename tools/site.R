@@ -21,7 +21,10 @@ pkgdown::build_search(pkg)
 # ---- formulas ------------------------------------------------------------------------------------
 
 # \( ... \), \[ ... \] and $$ ... $$ of a text.
-formula <- "\\$\\$[^$]*\\$\\$|\\\\\\((?:[^\\\\]|\\\\(?!\\)))*\\\\\\)|\\\\\\[(?:[^\\\\]|\\\\(?!\\]))*\\\\\\]"
+formula <- paste0(
+  "\\$\\$[^$]*\\$\\$|\\\\\\((?:[^\\\\]|\\\\(?!\\)))*\\\\\\)|",
+  "\\\\\\[(?:[^\\\\]|\\\\(?!\\]))*\\\\\\]"
+)
 files <- list.files(site, "[.]html$", recursive = TRUE, full.names = TRUE)
 files <- files[!startsWith(files, file.path(site, "lab"))]
 read <- function(file) paste(readLines(file, encoding = "UTF-8", warn = FALSE), collapse = "\n")

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Builds the site of the package in site/: pkgdown, the lab at lab/, formulas as MathML. No page asks
-# anybody for anything. Needs pkgdown, pandoc and npm; pkgdown itself stays offline.
+# Builds the site of the package in site/: pkgdown, the lab at lab/, formulas as MathML. No page
+# asks anybody for anything. Needs pkgdown, pandoc and npm; pkgdown itself stays offline.
 #
 #   tools/site.sh [FOLDER] [ARTICLES]    ARTICLES: only those of these names, such as "rotdyn hoop"
 
