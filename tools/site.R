@@ -20,17 +20,23 @@ pkgdown::build_search(pkg)
 
 # ---- formulas ------------------------------------------------------------------------------------
 
-# \( ... \) and \[ ... \] of a text, code left alone.
-formula <- "\\\\\\((?:[^\\\\]|\\\\(?!\\)))*\\\\\\)|\\\\\\[(?:[^\\\\]|\\\\(?!\\]))*\\\\\\]"
+# \( ... \), \[ ... \] and $$ ... $$ of a text.
+formula <- paste0(
+  "\\$\\$[^$]*\\$\\$|\\\\\\((?:[^\\\\]|\\\\(?!\\)))*\\\\\\)|",
+  "\\\\\\[(?:[^\\\\]|\\\\(?!\\]))*\\\\\\]"
+)
 files <- list.files(site, "[.]html$", recursive = TRUE, full.names = TRUE)
-files <- files[!grepl("/lab/", files, fixed = TRUE)]
+files <- files[!startsWith(files, file.path(site, "lab"))]
 read <- function(file) paste(readLines(file, encoding = "UTF-8", warn = FALSE), collapse = "\n")
 texts <- vapply(files, read, "")
 found <- unique(unlist(regmatches(texts, gregexpr(formula, texts, perl = TRUE))))
 if (length(found)) {
   plain <- gsub("&amp;", "&", gsub("&lt;", "<", gsub("&gt;", ">", found)))
   inner <- gsub("\n", " ", substr(plain, 3, nchar(plain) - 2))
-  display <- startsWith(plain, "\\[")
+  # What pandoc does not know.
+  inner <- gsub("\\Bigl", "\\left", gsub("\\Bigr", "\\right", inner, fixed = TRUE),
+                fixed = TRUE)
+  display <- !startsWith(plain, "\\(")
   mark <- ifelse(display, "$$", "$")
   source <- tempfile(fileext = ".md")
   writeLines(paste0("::: x\n\n", mark, trimws(inner), mark, "\n\n:::\n"), source, useBytes = TRUE)

@@ -114,7 +114,8 @@ svg_in_page <- function(path, alt) {
 
 `%||%` <- function(x, y) if (is.null(x)) y else x
 
-if (requireNamespace("svglite", quietly = TRUE)) {
+# pkgdown names its pictures itself.
+if (requireNamespace("svglite", quietly = TRUE) && Sys.getenv("IN_PKGDOWN") == "") {
   knitr::opts_chunk$set(dev = "svglite", dev.args = list(fix_text_size = FALSE))
   drawn_by_format <- knitr::knit_hooks$get("plot")
   knitr::knit_hooks$set(plot = function(x, options) {

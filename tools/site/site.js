@@ -4,7 +4,8 @@ window.Toc = {
   init({ $nav, $scope }) {
     const list = document.createElement("ul");
     list.className = "nav flex-column";
-    for (const heading of $scope.find("h2, h3").toArray()) {
+    const own = $scope.filter("h2, h3");
+    for (const heading of (own.length ? own : $scope.find("h2, h3")).toArray()) {
       const section = heading.closest("[id]");
       if (!section) continue;
       const link = document.createElement("a");
@@ -19,3 +20,7 @@ window.Toc = {
     $nav.append(list);
   }
 };
+
+document.addEventListener("DOMContentLoaded", () => {
+  document.querySelector("nav.navbar")?.setAttribute("aria-label", document.title);
+});
