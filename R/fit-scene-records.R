@@ -88,9 +88,15 @@ trembles <- function(y) {
   sum(diff(moved) != 0) > length(moved) / 4
 }
 
-# A record with the least s.d. of its columns, of counters D/sqrt(12). Of a counter's record alone
-# the slow counts are replaced by the times between them, and samples have weights: s.d. in those
-# of a count. At rest a counter has one error: the rest is one sample.
+weight_of_counts <- function(y) {
+  counts <- rle(replace(y, is.nan(y), Inf))
+  sqrt(rep(counts$lengths, counts$lengths))
+}
+
+# A record with the least s.d. of its columns, of counters D/sqrt(12), and with weights: s.d. of
+# samples in those of the column. Of a counter's record alone the slow counts are replaced by the
+# times between them. At rest a counter has one error: the rest is one sample, and so are n equal
+# counts of other records, of which each has the weight sqrt(n).
 by_edges <- function(record) {
   n <- length(record$time_s)
   segment <- rep(1L, n)
@@ -101,6 +107,7 @@ by_edges <- function(record) {
   }, double(1))
   record$floor <- as.list(step / sqrt(12))
   record$all <- record$series
+  record$weight <- Map(function(y, step) if (step > 0) weight_of_counts(y), record$series, step)
   if (length(step) > 1L || step == 0 || trembles(record$series[[1]])) return(record)
   y <- replace(record$series[[1]], is.nan(record$series[[1]]), NA)
   edges <- edges_of(list(
@@ -119,9 +126,10 @@ by_edges <- function(record) {
   rate <- abs(value[behind] - value[before]) / (time[behind] - time[before])
   off <- ifelse(is.na(edges$interval), 1, pmin(rate * edges$interval / step, 1))
   # Not less than a twentieth of a count: the clock has an error, too.
-  record$weight <- pmax(off, 0.05)[keep]
+  record$weight <- list(pmax(off, 0.05)[keep])
   record$time_s <- time[keep]
   record$series[[1]] <- value[keep]
+  names(record$weight) <- names(record$series)
   record$all <- record$series
   record$edges <- TRUE
   record

@@ -317,7 +317,7 @@ vcov.rot_fit <- function(object, ...) {
 }
 
 # Each unknown is a sum of independent parts, the columns of the covariance's factor.
-measured_of_fit <- function(x, call) {
+measured_values.rot_fit <- function(x, call) {
   fit <- fit_of(x, call, "value")
   p <- fit$about$parameters
   factor <- matrix(fit$found$factor, nrow(p), byrow = TRUE)

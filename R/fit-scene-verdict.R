@@ -46,8 +46,9 @@ verdict_rows <- function(fit) {
             "white"
           },
           if (length(reasons)) {
+            weight <- record$weight[[k]] %||% rep(1, length(here))
             paste0("incomplete near ", format(worst_time(
-              record$time_s[here], residual[here] / (record$weight %||% rep(1, length(here)))[here]
+              record$time_s[here], residual[here] / weight[here]
             ), digits = 3), " s: ", paste(reasons, collapse = ", "))
           } else {
             "none found"

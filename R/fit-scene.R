@@ -265,7 +265,7 @@ fit_problem <- function(about, call) {
           list(
             column = sub("\\[[0-9]+\\]$", "", name), place = index, y = y,
             offset = place("offset", name, r), factor = place("factor", name, r),
-            weight = record$weight,
+            weight = record$weight[[name]],
             rounding = 4 * .Machine$double.eps * max(abs(y[is.finite(y)]), 0),
             floor = record$floor[[name]]
           )

@@ -46,7 +46,8 @@ measured <- function(value, u, dof = Inf, name = NULL, ...) {
   check_supplied("value", call)
   label <- rlang::as_label(substitute(value))
   name <- if (is.null(name)) label else check_name(name, "name", call)
-  if (inherits(value, "rot_fit") && missing(u)) return(measured_of_fit(value, call))
+  several <- if (missing(u)) measured_values(value, call)
+  if (!is.null(several)) return(several)
   if (inherits(value, "errors") && missing(u)) return(from_errors(value, name, call))
   value <- check_finite(value, "value", "1", call)
   if (missing(u)) {
@@ -67,6 +68,11 @@ measured <- function(value, u, dof = Inf, name = NULL, ...) {
   if (!identical(dof, Inf)) dof <- check_number(dof, "dof", "1", call, lower = 0, open = TRUE)
   new_measured(value, u, dof, name)
 }
+
+# A list of measured numbers, from what has several; NULL: no such object.
+measured_values <- function(x, call) UseMethod("measured_values")
+
+measured_values.default <- function(x, call) NULL
 
 # Identities: unique in all sessions whose objects may meet.
 identities <- new.env(parent = emptyenv())

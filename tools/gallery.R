@@ -267,6 +267,8 @@ exceptions <- c(
   rot_vary = "a law of one input: a line of text says it",
   rot_design = "a rule from numbers to inputs: design_rows() has its points",
   rot_sweep_plan = "a sweep before it is run: the sweep has the pictures",
+  rot_planned_record = "a record that is not measured yet: fit_design() has the picture",
+  rot_lab = "a page: its file has the pictures",
   rot_sweep_summary = "figures of a sweep: the sweep has the pictures"
 )
 

@@ -358,3 +358,19 @@ test_that("digits that tremble are no counter", {
                tolerance = 0.15)
   expect_true(all(abs(fit$value - c(0.5, 6)) < 3 * fit$standard_error))
 })
+
+test_that("equal counts at rest have one error", {
+  clutch <- function(capacity, omega0) {
+    scene_clutch(2, 3, capacity, omega0_rad_per_s = c(omega0, 0))
+  }
+  rates <- paste0("omega_", 1:2, "_rad_per_s")
+  unknown <- c("capacity_n_m", "omega0_rad_per_s[1]")
+  # Locked after 2 s at 8 rad/s: with a zero of its own each counter is off there by the same.
+  off <- vapply(1:6 / 7, function(zero) {
+    film <- film_of(clutch(12, 20), seq(0, 4, length.out = 100), rates)
+    for (name in rates) film[[name]] <- 0.2 * (round(film[[name]] / 0.2 + zero) - zero)
+    fit <- fit_scene(clutch(10, 19), film, unknown)
+    max(abs(fit$value - c(12, 20)) / fit$standard_error)
+  }, double(1))
+  expect_lt(max(off), 3.5)
+})

@@ -192,6 +192,7 @@ others <- function() {
                    coast, "omega0_rad_per_s"), "omega0_rad_per_s .* rad/s"),
     list(planned_record(0:3, "theta_rad", noise = c(theta_rad = 0.01)),
          "4 times, 0 to 3 s, of theta_rad"),
+    list(lab(scene_axle(0.1, 0.2)), "a scene with its inputs"),
     list(falling_weight(0.1, 0.02), "0.1 kg"), list(rolling_table(), "beta"),
     list(vary_normal(2, 0.02), "normal, mean 2, sd 0.02"),
     list(design_sobol(2^30, mass_kg = vary_uniform(1, 2)), "1,073,741,824 rows(.|\n)*uniform")
