@@ -3,7 +3,7 @@
 .DEFAULT_GOAL := help
 .PHONY: help demo gallery test core snapshots bench document format objects
 .PHONY: check-valgrind check-databases check-nosuggests check-manual check-coverage check-fuzz check-fuzz-sanitized
-.PHONY: check-kill-sweep check-remote check-architectures check-completion manpages deb check-cran
+.PHONY: check-kill-sweep check-remote check-architectures check-completion manpages deb check-cran paper
 .PHONY: map check-animations check-damage check-interrupt check-lessons check-long check-measurement check-mutants check-scenes library examples
 .PHONY: lab site check-lab
 
@@ -112,6 +112,10 @@ check-architectures: ## the C core on arm64, i386, armhf, ppc64el, s390x: ARCHIT
 
 check-cran: ## the check as CRAN runs it: verdicts, processor time by part, licences: VIGNETTES=no
 	@VIGNETTES="$(VIGNETTES)" sh tools/check-cran.sh
+
+paper: ## the paper of paper/, each number and the figure computed: DIR= where
+	@sh tools/install.sh --no-build-vignettes
+	@Rscript paper/build.R $(or $(DIR),paper/built)
 
 check-completion: ## completions of bash, zsh and fish, typed under a terminal
 	@sh tools/check-completion.sh

@@ -202,7 +202,7 @@ if command -v clang > /dev/null 2>&1; then also clang "clang" clang
 else skip "clang is not installed"; fi
 
 # Tests that fail for a reason that ARCHITECTURE.md names ("Other processors").
-explained="check_tumbling check_ledger lowered_as_dense"
+explained="check_tumbling check_ledger lowered_as_dense check_exact_and_integrated"
 
 # ---- the others ----------------------------------------------------------------------------------
 

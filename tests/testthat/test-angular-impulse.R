@@ -100,6 +100,7 @@ test_that("NA, and errors of the package's own", {
 })
 
 test_that("a torque that grows as 1/time or faster has no impulse; slower, it has one", {
+  skip_on_cran() # exhaustive: `make test` runs it
   of <- function(f, from, to, breaks_s = numeric()) {
     angular_impulse(torque_function(f, breaks_s = breaks_s), from, to)
   }

@@ -126,6 +126,7 @@ test_that("arcs and maps stand for points", {
 })
 
 test_that("every scene, race and collision has a page with pictures and words", {
+  skip_on_cran() # exhaustive: `make test` runs it
   skip_if_not_installed("yyjsonr")
   ball <- body_sphere(0.06, 0.033)
   cases <- list(

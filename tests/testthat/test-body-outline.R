@@ -12,6 +12,7 @@ surface_points <- function(shape, size) {
 }
 
 test_that("every shape's outline spans what its geometry spans, along each axis", {
+  skip_on_cran() # exhaustive: `make test` runs it
   shapes <- setdiff(intersect(names(shape_maps), names(test_sizes)), "point")
   expect_setequal(
     setdiff(rotdyn::shapes()$shape, names(rotdyn:::shape_solids)), c("point", "sliding_point")

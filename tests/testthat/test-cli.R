@@ -420,6 +420,7 @@ random_lines <- function(n, seed) {
 }
 
 test_that("random command lines end with a status and words, never in a fault of ours", {
+  skip_on_cran() # exhaustive: `make test` runs it
   skip_if_not_installed("yyjsonr")
   n <- as.integer(Sys.getenv(
     "ROTDYN_CLI_LINES", or_long("200", "1000")
