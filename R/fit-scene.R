@@ -24,8 +24,9 @@
 #' as no more than 3 % of a column are; more are no outliers but a law that does not fit.
 #'
 #' **Counters**: where a column has a resolution D (a counter, an encoder, few digits), its noise is
-#' at least `D/sqrt(12)`. Of a record of that column alone, where a count repeats four times or
-#' more, the times at which it changes are fitted instead of the counts.
+#' at least `D/sqrt(12)`. Of a record of that column alone that counts in one direction, where a
+#' count repeats four times or more, the times at which it changes are fitted instead of the counts;
+#' in others n equal counts weigh as one.
 #'
 #' What a record does not tell is said: combinations of unknowns that change without changing the
 #' motion have no standard error (`status` is `"not determined"`), and `glance()` has the condition

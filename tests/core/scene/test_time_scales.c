@@ -72,8 +72,8 @@ static void check_drive(void) {
   /* A third rotor of 2 kg m^2 behind a spring of 16: the rows of the matrix have the sums 9,
    * 9 + 16/8 + 16/4 and 16/2 + 4. */
   rot_drive_coupling couplings[3] = {coupling[0]};
-  couplings[1] = (rot_drive_coupling){
-      .kind = ROT_DRIVE_SHAFT, .ratio = 1.0, .stiffness_n_m_per_rad = 16.0};
+  couplings[1] =
+      (rot_drive_coupling){.kind = ROT_DRIVE_SHAFT, .ratio = 1.0, .stiffness_n_m_per_rad = 16.0};
   const rot_drive_friction brakes[3] = {{0}};
   const rot_axle_scene rotors[3] = {rotor[0], rotor[1], {.linear = {.inertia_kg_m2 = 2.0}}};
   const rot_drive_scene three = {.n = 3, .rotor = rotors, .brake = brakes, .coupling = couplings};
