@@ -3,8 +3,8 @@
 #
 # OK passes. ERROR, WARNING and NOTE fail, except the NOTE of every new submission (passes) and a
 # NOTE that only says that a tool is missing on this machine (a skip), and that on examples which
-# took long by the clock, not in processor time (passes), and that on the installed size up to 8 MB:
-# what is beyond 5 MB are lessons with their pictures. The stages that rebuild the
+# took long by the clock, not in processor time (passes), and that on the installed size up to
+# 10.5 MB: byte code 3.4, lessons with their pictures 2.2, the core 1.7, the page of the lab 1.3. The stages that rebuild the
 # vignettes do not count where --no-vignettes switches them off: R CMD build has built them.
 
 folder <- commandArgs(trailingOnly = TRUE)[1L]
@@ -51,7 +51,7 @@ only_slow_by_the_clock <- function(block) {
   !anyNA(times) && all(times <= example_cpu_s)
 }
 
-most_installed_mb <- 8
+most_installed_mb <- 10.5
 only_size <- function(block) {
   size <- regmatches(block, regexpr("(?<=installed size is )[ 0-9.]+(?=Mb)", block, perl = TRUE))
   grepl("checking installed package size", block[1L], fixed = TRUE) && length(size) == 1L &&
