@@ -4,8 +4,9 @@
 # OK passes. ERROR, WARNING and NOTE fail, except the NOTE of every new submission (passes) and a
 # NOTE that only says that a tool is missing on this machine (a skip), and that on examples which
 # took long by the clock, not in processor time (passes), and that on the installed size up to
-# 10.5 MB: byte code 3.4, lessons with their pictures 2.2, the core 1.7, the page of the lab 1.3. The stages that rebuild the
-# vignettes do not count where --no-vignettes switches them off: R CMD build has built them.
+# 10.5 MB: byte code 3.4, lessons with their pictures 2.2, the core 1.7, the page of the lab 1.3.
+# The stages that rebuild the vignettes do not count where --no-vignettes switches them off: R CMD
+# build has built them.
 
 folder <- commandArgs(trailingOnly = TRUE)[1L]
 log <- readLines(file.path(folder, "00check.log"), warn = FALSE, encoding = "UTF-8")
