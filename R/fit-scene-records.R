@@ -31,8 +31,8 @@ fit_records <- function(records, scene, observed, call) {
       ), "argument", call)
     }
     time_s <- check_finite(one$time_s, "time_s", "s", call)
-    segment <- if ("segment" %in% names(one)) one$segment else rep(1, nrow(one))
-    parts <- split(seq_along(time_s), segment)
+    rows <- seq_along(time_s)
+    parts <- if ("segment" %in% names(one)) split(rows, one$segment) else list(rows)
     for (k in seq_along(parts)) {
       rows <- parts[[k]][order(time_s[parts[[k]]])]
       series <- lapply(stats::setNames(wanted, wanted), function(name) {
