@@ -386,3 +386,11 @@ film_page <- function(film, width_px) {
     "</html>"
   )
 }
+
+# A page in the viewer of the session, or in the browser.
+show_page <- function(html, call) {
+  path <- tempfile(fileext = ".html")
+  write_file(html, path, call)
+  show <- getOption("viewer")
+  if (is.function(show)) show(path) else utils::browseURL(path)
+}

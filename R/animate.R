@@ -148,12 +148,7 @@ print.rot_animation <- function(x, ...) {
     if (nzchar(speed)) paste0(", ", speed), "\n", sep = ""
   )
   cat("  A file of it: animate_motion(motion, \"motion.html\"), .gif, .mp4 or .webm.\n")
-  if (interactive()) {
-    path <- tempfile(fileext = ".html")
-    write_file(format(x), path, rlang::current_env())
-    show <- getOption("viewer")
-    if (is.function(show)) show(path) else utils::browseURL(path)
-  }
+  if (interactive()) show_page(format(x), rlang::current_env())
   invisible(x)
 }
 

@@ -131,6 +131,5 @@ by_edges <- function(record) {
   record$series[[1]] <- value[keep]
   names(record$weight) <- names(record$series)
   record$all <- record$series
-  record$edges <- TRUE
   record
 }

@@ -220,12 +220,7 @@ print.rot_lab <- function(x, ...) {
   cat("  ", what, if (!is.null(state$end)) paste0(", up to ", format_si(state$end), " s"), "\n",
       sep = "")
   cat("  A file of it: lab(scene, \"lab.html\").\n")
-  if (interactive()) {
-    path <- tempfile(fileext = ".html")
-    write_file(format(x), path, rlang::current_env())
-    show <- getOption("viewer")
-    if (is.function(show)) show(path) else utils::browseURL(path)
-  }
+  if (interactive()) show_page(format(x), rlang::current_env())
   invisible(x)
 }
 

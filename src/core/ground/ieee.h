@@ -11,8 +11,8 @@
 #error "rotdyn needs IEEE 754 arithmetic: compile without -Ofast, -ffast-math and what they imply"
 #endif
 
-/* Extended precision rounds twice: error-free sums and products are wrong in it. x87 registers have
- * it (2), or it cannot be told (-1); 1 concerns float alone. */
+/* Extended precision rounds twice: error-free sums and products are wrong in it. Refused are 2 (x87
+ * registers have it) and -1 (unknown); 0, 1 and 16 leave double as it is. */
 #if defined(__FLT_EVAL_METHOD__) && __FLT_EVAL_METHOD__ != 0 && __FLT_EVAL_METHOD__ != 1 &&        \
     __FLT_EVAL_METHOD__ != 16
 #error "rotdyn needs double precision: on i386 compile with -msse2 -mfpmath=sse"
