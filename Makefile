@@ -1,7 +1,7 @@
 # The developer's verbs. Each is a script in tools/ that can be run by itself. GNU make.
 
 .DEFAULT_GOAL := help
-.PHONY: help demo gallery test core snapshots bench document format objects
+.PHONY: help demo gallery test core snapshots figures bench document format objects
 .PHONY: check-valgrind check-databases check-nosuggests check-manual check-coverage check-fuzz check-fuzz-sanitized
 .PHONY: check-kill-sweep check-remote check-architectures check-completion manpages deb check-cran paper
 .PHONY: map check-animations check-damage check-interrupt check-lessons check-long check-measurement check-mutants check-scenes library examples
@@ -29,6 +29,9 @@ snapshots: ## write the text snapshots anew; read the diff before you commit it
 	@sh tools/install.sh --no-build-vignettes
 	-@cd tests && NOT_CRAN=true Rscript testthat.R
 	@Rscript -e 'testthat::snapshot_accept(path = "tests/testthat")'
+
+figures: ## write tests/core/api/figures.txt anew; read the diff before you commit it
+	@sh tests/core/run.sh --figures
 
 bench: ## speed and error beside other tools
 	@sh tools/setup.sh bench

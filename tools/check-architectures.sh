@@ -125,7 +125,7 @@ core_of() {
       test -f "$dir/one/rk8pd.o" || continue
       objects=$(echo "$dir"/one/*.o)
     fi
-    "$@" -std=c99 -O2 -ffp-contract=off -Isrc/core -Iinst/include tools/architectures.c \
+    "$@" -std=c99 -O2 -ffp-contract=off -Isrc/core -Itests/core tools/architectures.c \
       "$dir/librot.a" $objects -static $GSL_LIBS -lm -lpthread -o "$dir/$kind-program" || return 1
   done
 }

@@ -44,6 +44,7 @@ topics <- read_topics()
 
 # Tests of whatever the package has: those of their blocks run that call the changed function.
 general <- c("signatures", "pictures", "print-table", "wrong-arguments")
+general_core <- "api/figures"
 
 # Paths of the programs and files that test `file`, in their order.
 tests_of <- function(file) {
@@ -60,7 +61,7 @@ tests_of <- function(file) {
   }
   kind <- if (core) "core" else "testthat"
   unique(c(
-    name(kind, c(topic, first)), if (core) name("testthat", after),
+    name(kind, c(topic, first, if (core) general_core)), if (core) name("testthat", after),
     if (startsWith(file, "R/")) name("testthat", general)
   ))
 }

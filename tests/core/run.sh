@@ -3,6 +3,7 @@
 #
 #   tests/core/run.sh              every compiler and standard
 #   tests/core/run.sh --valgrind   one build, run under valgrind
+#   tests/core/run.sh --figures    writes api/figures.txt anew (api/test_figures.c)
 #   tests/core/run.sh --cross CC [EMULATOR]
 #                                  one build by a cross compiler, linked statically, and run by the
 #                                  emulator of its processor; a sixteenth of the random cases,
@@ -202,6 +203,14 @@ if test "$1" = --valgrind; then
     run "$dir" valgrind -q --leak-check=full \
       --show-leak-kinds=definite,indirect --errors-for-leak-kinds=definite,indirect \
       --error-exitcode=99
+  else
+    cat "$dir/log"
+    fail
+  fi
+elif test "$1" = --figures; then
+  names=api-test_figures tests=tests/core/api/test_figures.c dir="$work/figures"
+  if build "$dir" ${CC:-cc} -std=c99 -O2; then
+    run "$dir" env ROTDYN_FIGURES=write
   else
     cat "$dir/log"
     fail
