@@ -8,10 +8,12 @@ if (requireNamespace("testthat", quietly = TRUE)) {
   failed <- blocks$failed > 0 | blocks$error
   skipped <- !failed & blocks$skipped & blocks$passed == 0
   files <- setdiff(list.files("testthat", "^test.*[.]R$"), blocks$file)
-  # For tools/check-times.R.
-  time <- sort(tapply(blocks$user + blocks$system, blocks$file, sum), decreasing = TRUE)
-  cat(sprintf("processor time: %6.1f s  %s\n", utils::head(time, 12), names(utils::head(time, 12))),
-      sep = "")
+  # For tools/check-times.R. Of files that run at the same time testthat has no processor time.
+  if (Sys.getenv("TESTTHAT_PARALLEL") != "true") {
+    time <- sort(tapply(blocks$user + blocks$system, blocks$file, sum), decreasing = TRUE)
+    time <- utils::head(time, 12)
+    cat(sprintf("processor time: %6.1f s  %s\n", time, names(time)), sep = "")
+  }
   cat(sprintf(
     "testthat: %d passed, %d failed, %d skipped\n",
     sum(!failed & !skipped), sum(failed), sum(skipped) + length(files)
