@@ -53,7 +53,8 @@ symmetric <- c(
   "inherits", "library", "tryCatch", "withCallingHandlers", "test_that", "list", "structure",
   "apply", "assign", "get0", "exists", "is.element", "isTRUE", "stopifnot", "outer", "crossprod",
   # Sums and products, the same to the last bit in either order; the size of an allocation.
-  "rot_dd_mul", "rot_dd_add", "rot_pair_dd_mul", "rot_pair_dd_add", "fma", "calloc", "strcmp"
+  "rot_dd_mul", "rot_dd_add", "rot_pair_dd_mul", "rot_pair_dd_add", "rot_muldiv", "multiply",
+  "fma", "calloc", "strcmp"
 )
 
 # ---- R ------------------------------------------------------------------------------------------

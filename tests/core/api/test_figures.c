@@ -20,8 +20,9 @@
 
 enum {
   SCENES = 32 * N_MAKERS,
-  TIMES = 4,
-  MAX_ROWS = TIMES * 4,
+  FEW = 4,
+  EVEN = 24, /* of these a closed form has rows by four */
+  MAX_ROWS = EVEN * 4,
   MAX_COLUMNS = 40,
   MAX_EVENTS = 16,
   MAX_LINE = 1 << 12,
@@ -198,6 +199,8 @@ static rotdyn_object *some_scene(size_t i) {
 /* ---- what a scene gives ---------------------------------------------------------------------- */
 
 static double values[MAX_COLUMNS][MAX_ROWS];
+static double time_s[EVEN];
+static size_t n_times;
 static const char *names[MAX_COLUMNS];
 static double *columns[MAX_COLUMNS];
 static size_t n_columns;
@@ -233,8 +236,7 @@ static double off(const rotdyn_report *report) {
 }
 
 /* Into *ran: the model that ran, or NULL. */
-static int run(const rotdyn_object *scene, const double *time_s, const rotdyn_options *options,
-               const char **ran) {
+static int run(const rotdyn_object *scene, const rotdyn_options *options, const char **ran) {
   const char *event[MAX_EVENTS];
   double event_s[MAX_EVENTS];
   int place[MAX_EVENTS] = {0};
@@ -248,7 +250,7 @@ static int run(const rotdyn_object *scene, const double *time_s, const rotdyn_op
   own.events = &events;
   memset(values, 0, sizeof values);
   const int status =
-      rotdyn_scene_run(scene, TIMES, time_s, &own, MAX_ROWS, n_columns, names, columns, &report);
+      rotdyn_scene_run(scene, n_times, time_s, &own, MAX_ROWS, n_columns, names, columns, &report);
   *ran = status == ROTDYN_OK ? report.model : NULL;
   word("run"), word(options->model), count((size_t)status), word(report.model);
   sentence(report.reason), word(report.input), count(report.rows_done), count(report.rows_per_time);
@@ -262,21 +264,20 @@ static int run(const rotdyn_object *scene, const double *time_s, const rotdyn_op
     count(events.count);
     for (size_t k = 0; k < events.count && k < MAX_EVENTS; k++) {
       word(event[k]), count((size_t)(place[k] + 100));
-      number_of("%.8e", event_s[k], time_s[TIMES - 1], 100.0 * off(&report));
+      number_of("%.8e", event_s[k], time_s[n_times - 1], 100.0 * off(&report));
     }
     for (size_t k = 0; k < n_columns; k++)
-      column(values[k], TIMES * report.rows_per_time, 10.0 * off(&report));
+      column(values[k], n_times * report.rows_per_time, 10.0 * off(&report));
   }
   return end_line();
 }
 
-static int balances(const rotdyn_object *scene, const double *time_s,
-                    const rotdyn_options *options) {
+static int balances(const rotdyn_object *scene, const rotdyn_options *options) {
   rotdyn_balance b = ROTDYN_INIT(rotdyn_balance);
   rotdyn_report report = ROTDYN_INIT(rotdyn_report);
   int same = 1, status;
   for (size_t k = 0; k < 8; k++) {
-    status = rotdyn_scene_balance(scene, TIMES, time_s, options, k, &b, &report);
+    status = rotdyn_scene_balance(scene, n_times, time_s, options, k, &b, &report);
     if (status != ROTDYN_OK) break;
     double size = fabs(b.change) + fabs(b.supplied) + fabs(b.dissipated);
     for (size_t t = 0; t < b.n_terms; t++) size = fmax(size, fabs(b.value[t]));
@@ -301,7 +302,7 @@ static int balances(const rotdyn_object *scene, const double *time_s,
 }
 
 /* Three rows that differ in a number. */
-static int rows(const rotdyn_object *scene, const char *constructor, const double *time_s,
+static int rows(const rotdyn_object *scene, const char *constructor,
                 const rotdyn_options *options) {
   static const double scale[] = {0.5, 1.0, 1.5};
   rotdyn_input input = ROTDYN_INIT(rotdyn_input);
@@ -347,13 +348,14 @@ static int scene_figures(size_t i) {
   rotdyn_options options = ROTDYN_INIT(rotdyn_options);
   rotdyn_candidate candidate = ROTDYN_INIT(rotdyn_candidate);
   char hash[ROT_HASH_SIZE];
-  double time_s[TIMES];
   const char *model[32], *chosen = NULL, *ran = NULL;
   size_t n_models = 0;
   int same;
   scene_number = i;
+  n_times = i / N_MAKERS % 5 < 3 ? FEW : EVEN;
   time_s[0] = between(0.0, 0.25);
-  for (int k = 1; k < TIMES; k++) time_s[k] = time_s[k - 1] + between(0.125, 1.0);
+  for (size_t k = 1; k < FEW; k++) time_s[k] = time_s[k - 1] + between(0.125, 1.0);
+  for (size_t k = 1; k < n_times && n_times == EVEN; k++) time_s[k] = time_s[0] + 0.125 * (double)k;
   options.max_steps = 2e4;
   options.accuracy = accuracies[i / N_MAKERS % 3];
   rot_hash((const unsigned char *)scene_text, scene_text_size, hash);
@@ -364,20 +366,21 @@ static int scene_figures(size_t i) {
   if (report.status == ROTDYN_OK) {
     columns_of(constructor);
     for (size_t k = 0;
-         rotdyn_scene_candidate(scene, TIMES, time_s, &options, k, &candidate) == ROTDYN_OK; k++) {
+         rotdyn_scene_candidate(scene, n_times, time_s, &options, k, &candidate) == ROTDYN_OK;
+         k++) {
       word("model"), word(candidate.model), count((size_t)candidate.applies);
       sentence(candidate.reason), figure(candidate.error), figure(candidate.cost_s);
       count((size_t)candidate.error_is_bound);
       same &= end_line();
       if (candidate.applies && n_models < 32) model[n_models++] = candidate.model;
     }
-    same &= run(scene, time_s, &options, &chosen) && balances(scene, time_s, &options);
+    same &= run(scene, &options, &chosen) && balances(scene, &options);
     for (size_t k = 0; k < n_models; k++) {
       options.model = model[k];
-      if (!chosen || strcmp(chosen, model[k])) same &= run(scene, time_s, &options, &ran);
+      if (!chosen || strcmp(chosen, model[k])) same &= run(scene, &options, &ran);
     }
     options.model = NULL;
-    same &= rows(scene, constructor, time_s, &options);
+    same &= rows(scene, constructor, &options);
   }
   rotdyn_object_free(scene);
   return same;

@@ -100,6 +100,14 @@ static void check_refusals(void) {
   (void)rotdyn_unset(scene, "radius_m");
   (void)rotdyn_set_number(scene, "omega0_rad_per_s", 1.0);
   ROT_CHECK(refused(scene, "kinetic_friction", "slips"));
+  /* A slip of rounding alone is none. The radius is 0.25 m. */
+  (void)rotdyn_set_number(scene, "v0_m_per_s", 0.25);
+  (void)rotdyn_set_number(scene, "omega0_rad_per_s", 1.0 + 1e-13);
+  ROT_CHECK(refused(scene, "kinetic_friction", "slips"));
+  (void)rotdyn_set_number(scene, "omega0_rad_per_s", 1.0 + 4e-16);
+  ROT_CHECK(rotdyn_object_check(scene, NULL) == ROTDYN_OK);
+  (void)rotdyn_unset(scene, "v0_m_per_s");
+  (void)rotdyn_set_number(scene, "omega0_rad_per_s", 1.0);
   (void)rotdyn_set_number(scene, "static_friction", 0.2);
   (void)rotdyn_set_number(scene, "kinetic_friction", 0.3);
   ROT_CHECK(refused(scene, "kinetic_friction", "at most"));

@@ -122,6 +122,24 @@ static void exact_records(void) {
   rot_object_free(k.scene);
 }
 
+/* The end of the search does not depend on its start. */
+static void from_elsewhere(void) {
+  static const double start[][2] = {{0.4, 2.5}, {0.7, 3.6}, {0.55, 2.9}};
+  double found[3][2], sd = NAN;
+  kit k;
+  begin(&k, wheel(), 2, friction_and_speed, "theta_rad", 1);
+  k.low[0] = 0.0;
+  for (int i = 0; i < N; i++) k.y[0][i] = coast(3.0, 0.5, k.time_s[0][i]) + 0.02 * normal();
+  for (int s = 0; s < 3; s++) {
+    for (int i = 0; i < 2; i++) k.x[i] = start[s][i];
+    ROT_CHECK(solve(&k, NULL) == ROT_OK);
+    for (int i = 0; i < 2; i++) found[s][i] = k.x[i];
+    sd = sqrt(k.covariance[0]);
+  }
+  for (int s = 1; s < 3; s++) ROT_CHECK(fabs(found[s][0] - found[0][0]) < 2e-5 * sd);
+  rot_object_free(k.scene);
+}
+
 /* 68 and 95 % intervals of 200 simulated records. */
 static void coverage(void) {
   const int trials = rot_test_trials(200) < 200 ? 100 : 200;
@@ -313,6 +331,7 @@ static void weights(void) {
 int main(void) {
   exact_records();
   weights();
+  from_elsewhere();
   coverage();
   edge();
   instruments();

@@ -205,6 +205,9 @@ static void check_yaw_pitch_roll(void) {
 static void check_faults(void) {
   double q[4] = {0.0, 0.0, 0.0, 0.0};
   ROT_CHECK(rot_attitude_unit(q) == 0.0 && isnan(q[0]));
+  double endless[4] = {INFINITY, 0.0, 1.0, 0.0};
+  ROT_CHECK(isinf(rot_attitude_unit(endless)));
+  for (int i = 0; i < 4; i++) ROT_CHECK(isnan(endless[i]));
   double big[4] = {3e200, 0.0, -4e200, 0.0}, small[4] = {3e-320, 0.0, -4e-320, 0.0};
   ROT_CHECK_REL(rot_attitude_unit(big), 5e200, 1e-15);
   ROT_CHECK_REL(big[2], -0.8, 1e-15);

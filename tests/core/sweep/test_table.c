@@ -20,6 +20,17 @@ static rot_object *wheel(void) {
   return scene;
 }
 
+/* A skater draws in the arms. */
+static rot_object *skater(void) {
+  static const double time_s[] = {0.0, 1.0, 2.0}, inertia[] = {3.0, 1.0, 1.0};
+  rot_object *scene = of("scene_axle"), *knots = of("inertia_knots");
+  puts_of(knots, "time_s", 3, time_s);
+  puts_of(knots, "moment_of_inertia_kg_m2", 3, inertia);
+  part(scene, "body", knots);
+  put(scene, "omega0_rad_per_s", 2.0);
+  return scene;
+}
+
 static rot_object *slope(void) {
   rot_object *scene = of("scene_incline");
   part(scene, "body", disk(2.0, 0.1));
@@ -81,6 +92,9 @@ static const kernel_case cases[] = {
      {-0.1, 0.5, -1.0, -1.0},
      {3.0, 4.0, 1.0, 1.0}},
     {brick, "free_exact", 60.0, {"omega0_rad_per_s[2]", "time_s", NULL}, {-1.0, -1.0}, {1.0, 1e3}},
+    /* A moment of 0 is among them. */
+    {brick, "free_exact", 60.0, {"omega0_rad_per_s[3]", "body[1]", NULL}, {-1.0, 0.0}, {1.0, 4.0}},
+    {brick, "free_exact", 60.0, {"omega0_rad_per_s[3]", "body[2]", NULL}, {-1.0, 0.0}, {1.0, 3.5}},
 };
 enum { CASES = sizeof cases / sizeof *cases };
 
@@ -229,8 +243,9 @@ static void plans_without_kernel(void) {
   static const double times[] = {1.0, 2.0};
   static const double x[] = {1.0, 0.0, 3.0};
   rot_object *scene = wheel(), *dry = make_dry(x), *disks = make_wheel(x), *box = make_box(x);
+  rot_object *drawn_in = skater();
   const rot_row_plan good = {scene, 1, input, 1, times, "axle_linear", 0, 1e-9, 1e6, 1, output};
-  rot_row_plan plan[] = {good, good, good, good, good, good, good, good, good};
+  rot_row_plan plan[] = {good, good, good, good, good, good, good, good, good, good};
   plan[1].n_times = 2;
   plan[2].model = NULL;
   plan[3].model = "axle_drag";
@@ -239,6 +254,7 @@ static void plans_without_kernel(void) {
   plan[6].n_inputs = 3, plan[6].inputs = twice;
   plan[7].scene = dry;
   plan[8].scene = disks, plan[8].inputs = mass;
+  plan[9].scene = drawn_in;
   rot_table *table;
   for (size_t i = 0; i < sizeof plan / sizeof *plan; i++) {
     ROT_CHECK(rot_table_open(&plan[i], &table) == ROT_OK && (table != NULL) == (i == 0));
@@ -251,6 +267,7 @@ static void plans_without_kernel(void) {
   rot_object_free(scene);
   rot_object_free(dry);
   rot_object_free(disks);
+  rot_object_free(drawn_in);
   rot_object_free(box);
 }
 
