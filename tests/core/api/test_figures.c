@@ -19,7 +19,7 @@
 #include "rot_test.h"
 
 enum {
-  SCENES = 32 * N_MAKERS,
+  SCENES = 42 * N_MAKERS,
   FEW = 4,
   EVEN = 24, /* of these a closed form has rows by four */
   MAX_ROWS = EVEN * 4,
@@ -183,12 +183,98 @@ static void set_some(rotdyn_object *to, const rotdyn_input *input, int depth) {
   }
 }
 
-/* Every other scene of a constraint has further inputs, which may be refused. */
+/* Scenes for the models that take few effects: variant k. */
+static void make_simple(rotdyn_object *scene, const char *constructor, size_t k) {
+  static const char *const extras[] = {"resistance", "brake", "rotors", "mass_kg", "centre_m"};
+  rotdyn_object *part = NULL;
+  double x[3];
+  if (strcmp(constructor, "scene_axle") && strcmp(constructor, "scene_drive") &&
+      strcmp(constructor, "scene_free") && strcmp(constructor, "scene_pivot") &&
+      strcmp(constructor, "scene_chain") && strcmp(constructor, "scene_equations") &&
+      strcmp(constructor, "scene_rotors"))
+    return;
+  for (size_t e = 0; e < 5 && strcmp(constructor, "scene_chain"); e++)
+    (void)rotdyn_unset(scene, extras[e]);
+  if (!strcmp(constructor, "scene_axle")) {
+    (void)rotdyn_unset(scene, "torque");
+    switch (k % 5) {
+    case 0: break;
+    case 1: number(scene, "torque", between(-1.0, 1.0)); break;
+    case 2: give(scene, "body", some_object("inertia", 0)); break;
+    case 3:
+      part = made("torque_spring");
+      number(part, "stiffness_n_m_per_rad", between(0.5, 4.0));
+      give(scene, "torque", part);
+      break;
+    default:
+      part = made("torque_motor");
+      number(part, "stall_torque_n_m", between(0.25, 1.0));
+      number(part, "no_load_omega_rad_per_s", between(4.0, 16.0));
+      give(scene, "torque", part);
+    }
+    if (k % 3) {
+      part = made("resistance");
+      number(part, k % 3 == 1 ? "viscous_n_m_s" : "coulomb_n_m", between(0.0, 0.5));
+      give(scene, "resistance", part);
+    }
+  } else if (!strcmp(constructor, "scene_drive")) {
+    (void)rotdyn_unset(scene, "theta0_rad");
+    part = made(k % 2 ? "coupling_shaft" : "coupling_clutch");
+    number(part, k % 2 ? "stiffness_n_m_per_rad" : "capacity_n_m", between(0.5, 20.0));
+    give(scene, "couplings", part);
+    part = made("list");
+    number(part, NULL, between(-1.0, 1.0)), number(part, NULL, between(-1.0, 1.0));
+    give(scene, "torque", part);
+    speeds_of(scene, 2);
+  } else if (!strcmp(constructor, "scene_chain")) {
+    double theta[2];
+    for (int i = 0; i < 2; i++) theta[i] = between(-0x1p-12, 0x1p-12), x[i] = 1.0;
+    numbers(scene, "theta0_rad", 2, theta);
+    numbers(scene, "length_m", 2, x), numbers(scene, "mass_kg", 2, x);
+  } else if (!strcmp(constructor, "scene_rotors")) {
+    number(scene, "stiffness_n_m_per_rad", k % 2 ? 1e7 : 1e4);
+  } else if (!strcmp(constructor, "scene_equations")) {
+    x[0] = 1.0;
+    numbers(scene, "positions", 1, x);
+  } else {
+    /* A symmetric body whose axis is the body frame's z, or (0, -0.96, -0.28). */
+    const int turned = k % 2 == 1;
+    const double axis[3] = {0.0, turned ? -0.96 : 0.0, turned ? -0.28 : 1.0};
+    const double turn[4] = {0.6, 0.8, 0.0, 0.0}, tilt[4] = {0.875, 0.25, 0.25, 0.125};
+    const double lever = between(0.0625, 0.25), spin = between(20.0, 60.0) * (k % 3 ? 1.0 : 16.0);
+    double at[3], omega[3];
+    for (int i = 0; i < 3; i++) at[i] = lever * axis[i], omega[i] = spin * axis[i];
+    x[0] = x[1] = between(0.25, 0.5), x[2] = between(0.125, 0.5);
+    rotdyn_object *top = made("body_tensor");
+    number(top, "mass_kg", 1.0), numbers(top, "inertia_kg_m2", 3, x);
+    part = made("place_body");
+    give(part, "body", top);
+    if (turned) numbers(part, "rotation", 4, turn);
+    if (!strcmp(constructor, "scene_pivot")) numbers(part, "at_m", 3, at);
+    give(scene, "body", part);
+    numbers(scene, "attitude0", 4, tilt);
+    if (k % 4 < 3) numbers(scene, "omega0_rad_per_s", 3, omega);
+    if (k % 5 < 2 && !strcmp(constructor, "scene_pivot")) number(scene, "gravity_m_per_s2", 0.0);
+    if (k % 3) return;
+    part = made("rotor");
+    numbers(part, "axis", 3, axis);
+    number(part, "moment_of_inertia_kg_m2", between(0.0625, 0.125));
+    number(part, "omega_rad_per_s", between(-9.0, 9.0));
+    give(scene, "rotors", part);
+  }
+}
+
+/* A third of the scenes are a maker's, a third simple, and a third have further inputs, which may
+ * be refused. */
 static rotdyn_object *some_scene(size_t i) {
   const char *constructor = random_constructor(i);
   rotdyn_object *scene = random_scene(i);
   rotdyn_input input = ROTDYN_INIT(rotdyn_input);
-  if (i / N_MAKERS % 2 == 0) return scene;
+  if (i / N_MAKERS % 3 == 0) return scene;
+  if (i / N_MAKERS % 3 == 1) {
+    make_simple(scene, constructor, i / N_MAKERS / 3);
+    return scene;
+  }
   for (size_t k = 0; rotdyn_input_at(constructor, k, &input) == ROTDYN_OK; k++) {
     if (!input.required && one_in(4)) set_some(scene, &input, 0);
     if (!strcmp(input.name, "body") && one_in(4)) set_some(scene, &input, 0);
@@ -226,7 +312,7 @@ static void column(const double *x, size_t n, double relative) {
     sum += weight * x[r];
     size = fmax(size, fabs(x[r]));
   }
-  number_of("%.11e", sum, size * (double)n + DBL_MIN, relative);
+  number_of("%.9e", sum, size * (double)n + DBL_MIN, relative);
   if (missing) count(missing);
 }
 
@@ -341,7 +427,7 @@ static int rows(const rotdyn_object *scene, const char *constructor,
 }
 
 static int scene_figures(size_t i) {
-  static const double accuracies[] = {1e-4, 1e-8, 1e-11};
+  static const double accuracies[] = {1e-2, 1e-5, 1e-8, 1e-11};
   const char *constructor = random_constructor(i);
   rotdyn_object *scene = some_scene(i);
   rotdyn_report report = ROTDYN_INIT(rotdyn_report);
@@ -357,7 +443,7 @@ static int scene_figures(size_t i) {
   for (size_t k = 1; k < FEW; k++) time_s[k] = time_s[k - 1] + between(0.125, 1.0);
   for (size_t k = 1; k < n_times && n_times == EVEN; k++) time_s[k] = time_s[0] + 0.125 * (double)k;
   options.max_steps = 2e4;
-  options.accuracy = accuracies[i / N_MAKERS % 3];
+  options.accuracy = accuracies[(i / N_MAKERS + i % N_MAKERS) % 4];
   rot_hash((const unsigned char *)scene_text, scene_text_size, hash);
   hash[8] = 0;
   word("scene"), count(i), word(constructor), word(hash);
@@ -372,11 +458,15 @@ static int scene_figures(size_t i) {
       sentence(candidate.reason), figure(candidate.error), figure(candidate.cost_s);
       count((size_t)candidate.error_is_bound);
       same &= end_line();
-      if (candidate.applies && n_models < 32) model[n_models++] = candidate.model;
+      if (n_models < 32) model[n_models++] = candidate.model;
     }
     same &= run(scene, &options, &chosen) && balances(scene, &options);
     for (size_t k = 0; k < n_models; k++) {
       options.model = model[k];
+      /* Those of an integrator differ little between scenes. */
+      const int steps = strstr(model[k], "_euler") || strstr(model[k], "_rk") ||
+                        strstr(model[k], "_semi_") || strstr(model[k], "_radau");
+      if (steps && (i + i / 52 + k) % 4) continue;
       if (!chosen || strcmp(chosen, model[k])) same &= run(scene, &options, &ran);
     }
     options.model = NULL;
