@@ -232,7 +232,12 @@ static void make_simple(rotdyn_object *scene, const char *constructor, size_t k)
     numbers(scene, "theta0_rad", 2, theta);
     numbers(scene, "length_m", 2, x), numbers(scene, "mass_kg", 2, x);
   } else if (!strcmp(constructor, "scene_rotors")) {
+    x[0] = between(-1.0, 1.0), x[1] = x[2] = 0.0;
     number(scene, "stiffness_n_m_per_rad", k % 2 ? 1e7 : 1e4);
+    number(scene, "omega0_rad_per_s", between(-8.0, 8.0));
+    if (rotdyn_set_numbers(scene, "torque", 2, x) == ROTDYN_OK &&
+        rotdyn_object_check(scene, NULL) != ROTDYN_OK)
+      (void)rotdyn_set_numbers(scene, "torque", 3, x);
   } else if (!strcmp(constructor, "scene_equations")) {
     x[0] = 1.0;
     numbers(scene, "positions", 1, x);
