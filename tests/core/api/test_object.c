@@ -352,6 +352,32 @@ static void check_refusals(void) {
   }
 }
 
+/* Capacities: one table below 0 is refused, a sum or another law with values below 0 is not. */
+static void check_capacities(void) {
+  static const double time_s[] = {0.0, 1.0, 2.0}, values[] = {1.0, -0.5, 1.0};
+  static const char *const makers[] = {"brake", "coupling_clutch"};
+  for (size_t i = 0; i < 2; i++) {
+    rotdyn_object *part = rotdyn_object_new(makers[i]), *knots = rotdyn_object_new("torque_knots");
+    rotdyn_object *list = rotdyn_object_new("list"), *wave = rotdyn_object_new("torque_sinusoid");
+    (void)rotdyn_set_numbers(knots, "time_s", 3, time_s);
+    (void)rotdyn_set_numbers(knots, "torque_n_m", 3, values);
+    (void)rotdyn_set_object(part, "capacity_n_m", knots);
+    ROT_CHECK(refused(part, "capacity_n_m", "at least 0 at all knots; it falls to -0.5"));
+    (void)rotdyn_set_object(list, NULL, knots);
+    (void)rotdyn_set_number(list, NULL, 2.0);
+    (void)rotdyn_set_object(part, "capacity_n_m", list);
+    ROT_CHECK_EQ_INT(rotdyn_object_check(part, NULL), ROTDYN_OK);
+    (void)rotdyn_set_number(wave, "amplitude_n_m", 1.0);
+    (void)rotdyn_set_number(wave, "angular_frequency_rad_per_s", 2.0);
+    (void)rotdyn_set_object(part, "capacity_n_m", wave);
+    ROT_CHECK_EQ_INT(rotdyn_object_check(part, NULL), ROTDYN_OK);
+    rotdyn_object_free(wave);
+    rotdyn_object_free(list);
+    rotdyn_object_free(knots);
+    rotdyn_object_free(part);
+  }
+}
+
 /* Rows of a polynomial and of a tensor. */
 static void check_rows(void) {
   const double row[] = {1.0, 2.0, 3.0},
@@ -441,6 +467,7 @@ int main(void) {
   check_setting();
   check_list_objects();
   check_refusals();
+  check_capacities();
   check_rows();
   check_wrong_runs();
   check_pulse();

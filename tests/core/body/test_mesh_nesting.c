@@ -71,6 +71,8 @@ static void test_wrong(void) {
   add_cube(&s, 0.0, 1.0, 0);
   add_cube(&s, 0.1, 0.5, 0); /* a body in a body */
   EXPECT(&s, {0, 0, 0, 1, 0, 0, 0});
+  add_cube(&s, 0.1, 0.25, 1); /* and a cavity in both: what is left is still there once too often */
+  EXPECT(&s, {0, 0, 0, 2, 0, 0, 0});
   s.vertices = s.faces = 0;
   add_cube(&s, 0.0, 1.0, 0);
   add_cube(&s, 0.1, 0.5, 1); /* a cavity in a cavity */

@@ -192,6 +192,11 @@ static void truncations(void) {
       const double to = ends[k][1] > 5.0 ? 1.0 : below_triangular(p, ends[k][1]);
       ROT_CHECK(fabs(below_triangular(p, quantile(&l, u)) - (from + u * (to - from))) < 1e-15);
     }
+    /* The mode at an end, where the law ends. P(x) = ((x - 1)/4)^2 and 1 - ((5 - x)/4)^2. */
+    l = truncated(law(ROT_VARY_TRIANGULAR, 1.0, 5.0, 5.0), 3.0, 5.0);
+    ROT_CHECK_REL(quantile(&l, u), 1.0 + 4.0 * sqrt(0.25 + 0.75 * u), 1e-15);
+    l = truncated(law(ROT_VARY_TRIANGULAR, 1.0, 1.0, 5.0), 1.0, 3.0);
+    ROT_CHECK_REL(quantile(&l, u), 5.0 - 4.0 * sqrt(1.0 - 0.75 * u), 1e-15);
   }
 }
 

@@ -274,6 +274,27 @@ static void check_limits(void) {
   ROT_CHECK(rot_free_rotors_begin(&p, &begun) != NULL);
   ROT_CHECK(rot_free_not_integrated(&p) != NULL);
   ROT_CHECK_EQ_INT(integrated(&p, 1e-12, ROT_METHOD_NONE, 2, t, &r, NULL, &info), ROT_EVALUE);
+  /* Moments 1, 2, 2.5: along an axis less than the body's there, but for a rounding. Two rotors
+   * that are too large along two axes leave a tensor of positive determinant. */
+  rot_free_rotor two[2] = {rotor, rotor};
+  for (int axis = 0; axis < 3; axis++) {
+    const double own = p.moment_kg_m2[axis];
+    for (int i = 0; i < 3; i++) rotor.axis[i] = i == axis;
+    rotor.moment_kg_m2 = own * (1.0 - 1e-10);
+    ROT_CHECK(rot_free_rotors_begin(&p, &begun) == NULL);
+    rotor.moment_kg_m2 = own * (1.0 + 1e-10);
+    ROT_CHECK(rot_free_rotors_begin(&p, &begun) != NULL);
+    for (int k = 0; k < 2; k++) {
+      const int at = (axis + 1 + k) % 3;
+      for (int i = 0; i < 3; i++) two[k].axis[i] = i == at;
+      two[k].moment_kg_m2 = 2.0 * p.moment_kg_m2[at];
+    }
+    p.rotors = two;
+    p.n_rotors = 2;
+    ROT_CHECK(rot_free_rotors_begin(&p, &begun) != NULL);
+    p.rotors = &rotor;
+    p.n_rotors = 1;
+  }
   rotor.driven = 1;
   rotor.omega_rad_per_s = 0.0;
   ROT_CHECK_EQ_INT(integrated(&p, 1e-12, ROT_METHOD_NONE, 2, t, &r, NULL, &info), ROT_OK);
