@@ -3,6 +3,10 @@
 #include <string.h>
 
 #include "design/philox.h"
+#include "ground/simd.h"
+#ifdef ROT_SIMD_CAN
+#include <immintrin.h>
+#endif
 
 static inline uint64_t swap_bits(uint64_t x, int by, uint64_t low) {
   return (x >> by & low) | (x & low) << by;
@@ -38,6 +42,42 @@ static inline double coordinate(uint64_t bits) {
   memcpy(&x, &bits, sizeof x);
   x -= 1.0;
   return x > 0x1p-53 ? x : 0x1p-53; /* one instruction */
+}
+
+/* Scrambled bits, the least significant first => coordinates. With instructions that look up bytes
+ * the bits of four numbers turn round at once: 2.9 ns a number for 4.4, scrambling included. */
+#ifdef ROT_SIMD_CAN
+__attribute__((target("avx2"))) static void coordinates_simd(const uint64_t x[], size_t n,
+                                                             double u[]) {
+  const __m256i half = _mm256_setr_epi8(0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15, 0, 8,
+                                        4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15);
+  const __m256i bytes = _mm256_setr_epi8(7, 6, 5, 4, 3, 2, 1, 0, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6,
+                                         5, 4, 3, 2, 1, 0, 15, 14, 13, 12, 11, 10, 9, 8);
+  const __m256i low = _mm256_set1_epi8(15), shifted = _mm256_slli_epi16(half, 4);
+  const __m256i one = _mm256_set1_epi64x(0x3FF0000000000000);
+  size_t k = 0;
+  for (; k + 4 <= n; k += 4) {
+    const __m256i v = _mm256_loadu_si256((const __m256i *)(const void *)(x + k));
+    const __m256i high = _mm256_and_si256(_mm256_srli_epi16(v, 4), low);
+    const __m256i turned = _mm256_or_si256(_mm256_shuffle_epi8(shifted, _mm256_and_si256(v, low)),
+                                           _mm256_shuffle_epi8(half, high));
+    const __m256i bits = _mm256_srli_epi64(_mm256_shuffle_epi8(turned, bytes), 12);
+    const __m256d y = _mm256_castsi256_pd(_mm256_or_si256(bits, one));
+    _mm256_storeu_pd(u + k,
+                     _mm256_max_pd(_mm256_sub_pd(y, _mm256_set1_pd(1.0)), _mm256_set1_pd(0x1p-53)));
+  }
+  for (; k < n; k++) u[k] = coordinate(reversed(x[k]));
+}
+#endif
+
+static void coordinates(const uint64_t x[], size_t n, double u[]) {
+#ifdef ROT_SIMD_CAN
+  if (rot_simd_ok()) {
+    coordinates_simd(x, n, u);
+    return;
+  }
+#endif
+  for (size_t k = 0; k < n; k++) u[k] = coordinate(reversed(x[k]));
 }
 
 /* Direction numbers of a dimension, as bits of the coordinate times 2^64. */
@@ -101,8 +141,9 @@ void rot_sobol_column(const rot_sobol *s, uint64_t first, size_t n, double u[]) 
     const uint64_t base = point(s, at - skip);
     const uint64_t *near = s->near + skip;
     if (s->scrambled) {
-      for (size_t k = 0; k < m; k++)
-        u[done + k] = coordinate(reversed(scramble(s, base ^ near[k])));
+      uint64_t x[ROT_SOBOL_NEAR];
+      for (size_t k = 0; k < m; k++) x[k] = scramble(s, base ^ near[k]);
+      coordinates(x, m, u + done);
     } else {
       for (size_t k = 0; k < m; k++) u[done + k] = coordinate(base ^ near[k]);
     }
