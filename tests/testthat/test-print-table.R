@@ -58,6 +58,12 @@ tables <- function() {
   )
 }
 
+made <- new.env()
+made_tables <- function() {
+  if (is.null(made$tables)) made$tables <- suppressWarnings(suppressMessages(tables()))
+  made$tables
+}
+
 # Ledgers, choices and others have prints of their own.
 prints_as_table <- function(x) {
   own <- Find(function(class) !is.null(utils::getS3method("print", class, TRUE)), class(x))
@@ -65,7 +71,7 @@ prints_as_table <- function(x) {
 }
 
 test_that("no name is abbreviated, no line is too long, and the answer comes first", {
-  all <- suppressWarnings(suppressMessages(tables()))
+  all <- made_tables()
   for (width in c(80L, 60L)) {
     old <- options(width = width)
     for (name in names(all)) {
@@ -112,7 +118,7 @@ answers <- c(
 )
 
 test_that("the answer of a table is in its first columns, or in the first five lines", {
-  all <- suppressWarnings(suppressMessages(tables()))
+  all <- made_tables()
   expect_setequal(
     c(names(answers), "choice", "audit", "one_body", "ledger", "flips", "gears"), names(all)
   )
@@ -376,7 +382,7 @@ columns_text <- function(x) {
 }
 
 test_that("tables print this, and have these columns", {
-  all <- suppressWarnings(suppressMessages(tables()))
+  all <- made_tables()
   # Residuals of rounding are an exact 0 on some machines.
   all[c("columns", "models", "structure", "reactions")] <- NULL
   text <- unlist(lapply(names(all), function(name) {

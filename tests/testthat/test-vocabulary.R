@@ -66,8 +66,16 @@ misplaced_index <- function(names) {
   with_index[!ends | late]
 }
 
+# Units of the arguments of functions, by quantity.
+units_in_use <- function(functions) {
+  names <- unique(unlist(arguments_of(functions)))
+  unit <- unit_of_name(names)
+  names <- names[nzchar(unit)]
+  lapply(split(unit[nzchar(unit)], quantity_of_name(names)), unique)
+}
+
 # What is wrong with an exported function, one text for each fault.
-naming_faults <- function(name, f, all_functions = functions()) {
+naming_faults <- function(name, f, in_use = units_in_use(functions())) {
   faults <- character()
   fault <- function(bad, text) if (any(bad)) faults <<- c(faults, text)
   fault(!grepl("^[a-z][a-z0-9]*(_[a-z0-9]+)*$", name), "a name that is not lower_case")
@@ -85,12 +93,8 @@ naming_faults <- function(name, f, all_functions = functions()) {
   fault(length(index), paste("an index that is not before the unit:", toString(index)))
   fault(arguments %in% old_words, "an old word")
   quantity <- quantity_of_name(arguments)
-  others <- unlist(arguments_of(all_functions))
-  others <- others[nzchar(unit_of_name(others))]
   for (one in unique(quantity[nzchar(unit)])) {
-    units <- unique(c(
-      unit[nzchar(unit) & quantity == one], unit_of_name(others[quantity_of_name(others) == one])
-    ))
+    units <- unique(c(unit[nzchar(unit) & quantity == one], in_use[[one]]))
     fault(length(setdiff(units, several_units[[one]] %||% units[1])),
           paste(one, "in several units:", toString(units)))
   }
@@ -121,10 +125,9 @@ naming_faults <- function(name, f, all_functions = functions()) {
 
 test_that("every export keeps the rules of names", {
   all_functions <- functions()
+  in_use <- units_in_use(all_functions)
   for (name in names(all_functions)) {
-    expect_identical(
-      naming_faults(name, all_functions[[name]], all_functions), character(), info = name
-    )
+    expect_identical(naming_faults(name, all_functions[[name]], in_use), character(), info = name)
   }
 })
 

@@ -175,6 +175,7 @@ static void measure_between_rows(const job *j, const rot_model *model, const rot
   more.n = SAMPLES;
   more.time_s = time_s;
   if (open_columns(&own, more.n, NULL) != ROT_OK) return;
+  rot_info_clear(&seen, j->constraint->measures); /* a run finds it cleared */
   if (run_model(&own, model, &more, &events, &seen) == ROT_OK) {
     for (size_t i = 0; i < info->n_measures; i++) {
       info->measure[i].largest = fmax(info->measure[i].largest, seen.measure[i].largest);
