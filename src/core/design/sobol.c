@@ -44,41 +44,67 @@ static inline double coordinate(uint64_t bits) {
   return x > 0x1p-53 ? x : 0x1p-53; /* one instruction */
 }
 
-/* Scrambled bits, the least significant first => coordinates. With instructions that look up bytes
- * the bits of four numbers turn round at once: 2.9 ns a number for 4.4, scrambling included. */
+/* Points `base` with each of n near ones => scrambled coordinates. */
+static void scrambled(const rot_sobol *s, uint64_t base, const uint64_t near[], size_t n,
+                      double u[]) {
+  for (size_t k = 0; k < n; k++) u[k] = coordinate(reversed(scramble(s, base ^ near[k])));
+}
+
 #ifdef ROT_SIMD_CAN
-__attribute__((target("avx2"))) static void coordinates_simd(const uint64_t x[], size_t n,
-                                                             double u[]) {
+#define ROT_LANES        __attribute__((target("avx2")))
+#define ROT_LANES_INLINE static inline __attribute__((always_inline, target("avx2")))
+
+typedef struct lanes {
+  __m256i add, odd, odd_high, even, even_high;
+} lanes;
+
+ROT_LANES_INLINE lanes lanes_of(const rot_sobol *s, int i) {
+  const __m256i odd = _mm256_set1_epi64x((long long)s->odd[i]);
+  const __m256i even = _mm256_set1_epi64x((long long)s->even[i]);
+  return (lanes){_mm256_set1_epi64x((long long)s->add[i]), odd, _mm256_srli_epi64(odd, 32), even,
+                 _mm256_srli_epi64(even, 32)};
+}
+
+/* x times a number whose high halves are there, too: the low 64 bits. */
+ROT_LANES_INLINE __m256i times(__m256i x, __m256i by, __m256i high) {
+  const __m256i across =
+      _mm256_add_epi64(_mm256_mul_epu32(x, high), _mm256_mul_epu32(_mm256_srli_epi64(x, 32), by));
+  return _mm256_add_epi64(_mm256_mul_epu32(x, by), _mm256_slli_epi64(across, 32));
+}
+
+ROT_LANES_INLINE __m256i round_of_four(const lanes *l, __m256i x) {
+  x = times(_mm256_add_epi64(x, l->add), l->odd, l->odd_high);
+  return _mm256_xor_si256(x, times(x, l->even, l->even_high));
+}
+
+/* The same of four numbers at a time, in half the time: the bits of a byte turn round by two
+ * look-ups of its halves. */
+ROT_LANES static void scrambled_simd(const rot_sobol *s, uint64_t base, const uint64_t near[],
+                                     size_t n, double u[]) {
   const __m256i half = _mm256_setr_epi8(0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15, 0, 8,
                                         4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15);
   const __m256i bytes = _mm256_setr_epi8(7, 6, 5, 4, 3, 2, 1, 0, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6,
                                          5, 4, 3, 2, 1, 0, 15, 14, 13, 12, 11, 10, 9, 8);
   const __m256i low = _mm256_set1_epi8(15), shifted = _mm256_slli_epi16(half, 4);
-  const __m256i one = _mm256_set1_epi64x(0x3FF0000000000000);
+  const __m256i from = _mm256_set1_epi64x((long long)base);
+  const lanes first = lanes_of(s, 0), second = lanes_of(s, 1), third = lanes_of(s, 2);
   size_t k = 0;
   for (; k + 4 <= n; k += 4) {
-    const __m256i v = _mm256_loadu_si256((const __m256i *)(const void *)(x + k));
-    const __m256i high = _mm256_and_si256(_mm256_srli_epi16(v, 4), low);
-    const __m256i turned = _mm256_or_si256(_mm256_shuffle_epi8(shifted, _mm256_and_si256(v, low)),
-                                           _mm256_shuffle_epi8(half, high));
-    const __m256i bits = _mm256_srli_epi64(_mm256_shuffle_epi8(turned, bytes), 12);
-    const __m256d y = _mm256_castsi256_pd(_mm256_or_si256(bits, one));
-    _mm256_storeu_pd(u + k,
-                     _mm256_max_pd(_mm256_sub_pd(y, _mm256_set1_pd(1.0)), _mm256_set1_pd(0x1p-53)));
+    __m256i x =
+        _mm256_xor_si256(from, _mm256_loadu_si256((const __m256i *)(const void *)(near + k)));
+    x = round_of_four(&third, round_of_four(&second, round_of_four(&first, x)));
+    const __m256i high = _mm256_and_si256(_mm256_srli_epi16(x, 4), low);
+    x = _mm256_or_si256(_mm256_shuffle_epi8(shifted, _mm256_and_si256(x, low)),
+                        _mm256_shuffle_epi8(half, high));
+    x = _mm256_srli_epi64(_mm256_shuffle_epi8(x, bytes), 12);
+    x = _mm256_or_si256(x, _mm256_set1_epi64x(0x3FF0000000000000));
+    const __m256d y = _mm256_sub_pd(_mm256_castsi256_pd(x), _mm256_set1_pd(1.0));
+    _mm256_storeu_pd(u + k, _mm256_max_pd(y, _mm256_set1_pd(0x1p-53)));
   }
-  for (; k < n; k++) u[k] = coordinate(reversed(x[k]));
+  _mm256_zeroupper(); /* gcc 12 leaves it out before this call: 5.5 ns a number for 3.5 */
+  scrambled(s, base, near + k, n - k, u + k);
 }
 #endif
-
-static void coordinates(const uint64_t x[], size_t n, double u[]) {
-#ifdef ROT_SIMD_CAN
-  if (rot_simd_ok()) {
-    coordinates_simd(x, n, u);
-    return;
-  }
-#endif
-  for (size_t k = 0; k < n; k++) u[k] = coordinate(reversed(x[k]));
-}
 
 /* Direction numbers of a dimension, as bits of the coordinate times 2^64. */
 static void directions(size_t dimension, uint64_t v[ROT_SOBOL_BITS]) {
@@ -134,6 +160,9 @@ static uint64_t point(const rot_sobol *s, uint64_t i) {
 /* Points are linear in their numbers over the field of two elements: point 64 q + k is the
  * exclusive-or of points 64 q and k. */
 void rot_sobol_column(const rot_sobol *s, uint64_t first, size_t n, double u[]) {
+#ifdef ROT_SIMD_CAN
+  const int simd = n >= 4 && rot_simd_ok();
+#endif
   for (size_t done = 0; done < n;) {
     const uint64_t at = first + done;
     const size_t skip = (size_t)(at % ROT_SOBOL_NEAR), left = ROT_SOBOL_NEAR - skip;
@@ -141,9 +170,14 @@ void rot_sobol_column(const rot_sobol *s, uint64_t first, size_t n, double u[]) 
     const uint64_t base = point(s, at - skip);
     const uint64_t *near = s->near + skip;
     if (s->scrambled) {
-      uint64_t x[ROT_SOBOL_NEAR];
-      for (size_t k = 0; k < m; k++) x[k] = scramble(s, base ^ near[k]);
-      coordinates(x, m, u + done);
+#ifdef ROT_SIMD_CAN
+      if (simd) {
+        scrambled_simd(s, base, near, m, u + done);
+        done += m;
+        continue;
+      }
+#endif
+      scrambled(s, base, near, m, u + done);
     } else {
       for (size_t k = 0; k < m; k++) u[done + k] = coordinate(base ^ near[k]);
     }
