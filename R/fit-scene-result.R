@@ -23,8 +23,9 @@ free_directions <- function(found, about) {
   m <- nrow(about$parameters)
   moved <- found$held == 0
   r <- matrix(found$triangle, m, byrow = TRUE)[moved, moved, drop = FALSE]
-  if (!length(r) || anyNA(r)) return(NULL)
+  if (!length(r) || !all(is.finite(r))) return(NULL)
   length <- sqrt(colSums(r^2))
+  length[length == 0] <- 1 # one that moves nothing
   parts <- svd(t(t(r) / length))
   none <- parts$d < max(parts$d) * 3e-7
   if (!any(none)) return(NULL)

@@ -374,3 +374,14 @@ test_that("equal counts at rest have one error", {
   }, double(1))
   expect_lt(max(off), 3.5)
 })
+
+test_that("a search that cannot begin says why", {
+  record <- data.frame(time_s = 0:20 / 4, theta_rad = sin(0:20 / 4))
+  spring <- function(omega) scene_axle(0.1, torque_spring(1), omega0_rad_per_s = omega)
+  for (omega in c(1e160, 1e200)) {
+    expect_error(fit_scene(spring(omega), record, "omega0_rad_per_s"), "cannot begin",
+                 class = "rotdyn_error_range")
+  }
+  # Far from the record, but with a way there.
+  expect_lt(abs(suppressWarnings(fit_scene(spring(1e60), record, "omega0_rad_per_s"))$value), 1)
+})

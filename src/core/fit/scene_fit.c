@@ -553,7 +553,7 @@ static rot_status put_fitted(work *w) {
   return status;
 }
 
-/* Each unknown changes what was observed, at the start. */
+/* At the start the squares are finite, and each unknown changes what was observed. */
 static rot_status check_effects(work *w, double r[], double j[], rot_refusal *no) {
   const rot_fit_problem *p = w->problem;
   set_free(w);
@@ -563,6 +563,9 @@ static rot_status check_effects(work *w, double r[], double j[], rot_refusal *no
   if (status == ROT_EVALUE) {
     return rot_refuse(no, p->n_inputs, "no model takes the scene, or its inputs are refused");
   }
+  double squares = 0.0;
+  for (size_t i = 0; i < w->n_residuals && status == ROT_OK; i++) squares += r[i] * r[i];
+  if (!isfinite(squares)) return ROT_ERANGE;
   for (size_t q = 0; q < w->n_free && status == ROT_OK; q++) {
     size_t i = 0;
     while (i < w->n_residuals && j[i * w->n_free + q] == 0.0) i++;
