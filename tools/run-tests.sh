@@ -139,6 +139,15 @@ fi
 test -n "$tarball" || build_tarball "$work" --no-build-vignettes > "$work/build.out" 2>&1 ||
   { cat "$work/build.out"; verdict fail "R CMD build --no-build-vignettes"; }
 
+if test -n "$tarball"; then
+  if Rscript tools/check-licences.R "$tarball" > "$work/licences.out" 2>&1; then
+    verdict pass "every file of the tarball has a licence line"
+  else
+    cat "$work/licences.out"
+    verdict fail "every file of the tarball has a licence line"
+  fi
+fi
+
 heading "R CMD check --as-cran"
 # What asks another host is switched off:
 #   _R_CHECK_CRAN_INCOMING_REMOTE_          compares with CRAN's own package list, follows URLs
