@@ -62,8 +62,8 @@
 #'   twice, and for a column that the motion lacks; `rotdyn_error_value` for a start outside the
 #'   domain, an unknown without effect on what was observed, and times before the scene's start;
 #'   `rotdyn_error_size` for fewer samples than unknowns; `rotdyn_error_range` for a start whose
-#'   motion or residuals leave double precision; `rotdyn_error_type`. A fit that does not converge is
-#'   returned with a warning of class `rotdyn_warning_fit`.
+#'   motion or residuals leave double precision; `rotdyn_error_type`. A fit that does not converge
+#'   is returned with a warning of class `rotdyn_warning_fit`.
 #' @source More, Lecture Notes in Mathematics 630, 105 (1978) for the steps; Harville, J. Am. Stat.
 #'   Assoc. 72, 320 (1977) for REML.
 #' @seealso [fit_coast_down()], [fit_swing()], [sweep_inputs()], [motion_record()].

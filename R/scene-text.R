@@ -36,7 +36,7 @@ scene_format <- 1
 #'   `rotdyn_error_file`; `rotdyn_error_type`; `rotdyn_error_package`: reading needs
 #'   \pkg{yyjsonr}.
 #' @source RFC 8259 (2017) for JSON.
-#' @seealso [records_add()], [metadata()].
+#' @seealso [scene_code()], [records_add()], [metadata()].
 #' @concept JSON
 #' @concept file
 #' @examples

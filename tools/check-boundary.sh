@@ -144,6 +144,7 @@ layers='
 7 scene
 8 object
 9 sweep
+9 text
 10 fit
 11 api
 '

@@ -16,7 +16,7 @@ keep <- function(x) {
   invisible()
 }
 constructors <- grep("^(scene|body)_|_bod(y|ies)$", getNamespaceExports("rotdyn"), value = TRUE)
-for (name in setdiff(constructors, "scene_hash")) {
+for (name in setdiff(constructors, c("scene_hash", "scene_code"))) {
   f <- ns[[name]]
   body(f) <- bquote({
     on.exit(.(keep)(returnValue()))

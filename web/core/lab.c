@@ -17,6 +17,7 @@
 #include "scene/free/free.h"
 #include "scene/incline/incline.h"
 #include "scene/run.h"
+#include "text/scene_code.h"
 
 #ifdef __wasm__
 #define LAB_ENTRY(name) __attribute__((export_name(#name)))
@@ -34,8 +35,8 @@ typedef struct lab_column_of {
 
 static struct {
   char *input;
-  lab_text answer;
-  lab_node *tree;
+  rot_writer answer;
+  rot_json *tree;
   rotdyn_object *scene;
   lab_column_of column[ROT_MAX_COLUMNS];
   size_t n_columns, rows_per_time, n;
@@ -52,13 +53,13 @@ static void begin(void) {
 }
 
 static void member(const char *name, const char *text) {
-  lab_text_add(&lab.answer, ",\"%s\":", name);
-  lab_text_string(&lab.answer, text);
+  rot_write(&lab.answer, ",\"%s\":", name);
+  rot_write_string(&lab.answer, text);
 }
 
 static void number_member(const char *name, double x) {
-  lab_text_add(&lab.answer, ",\"%s\":", name);
-  lab_text_number(&lab.answer, x);
+  rot_write(&lab.answer, ",\"%s\":", name);
+  rot_write_number(&lab.answer, x);
 }
 
 /* ---- the catalogue --------------------------------------------------------------------------- */
@@ -66,21 +67,21 @@ static void number_member(const char *name, double x) {
 static void add_inputs(const char *constructor) {
   rotdyn_input input = ROTDYN_INIT(rotdyn_input);
   for (size_t i = 0; rotdyn_input_at(constructor, i, &input) == ROTDYN_OK; i++) {
-    lab_text_add(&lab.answer, "%s{\"name\":", i ? "," : "");
-    lab_text_string(&lab.answer, input.name);
+    rot_write(&lab.answer, "%s{\"name\":", i ? "," : "");
+    rot_write_string(&lab.answer, input.name);
     member("unit", input.unit);
     member("kinds", input.kinds);
-    lab_text_add(&lab.answer, ",\"required\":%d,\"above\":%d", input.required, input.above);
+    rot_write(&lab.answer, ",\"required\":%d,\"above\":%d", input.required, input.above);
     number_member("low", input.low);
     number_member("high", input.high);
     number_member("otherwise", input.otherwise);
     member("words", input.words);
     for (size_t k = 0; input.options && input.options[k]; k++) {
-      lab_text_add(&lab.answer, k ? "," : ",\"options\":[");
-      lab_text_string(&lab.answer, input.options[k]);
-      if (!input.options[k + 1]) lab_text_add(&lab.answer, "]");
+      rot_write(&lab.answer, k ? "," : ",\"options\":[");
+      rot_write_string(&lab.answer, input.options[k]);
+      if (!input.options[k + 1]) rot_write(&lab.answer, "]");
     }
-    lab_text_add(&lab.answer, "}");
+    rot_write(&lab.answer, "}");
   }
 }
 
@@ -88,20 +89,20 @@ const char *lab_catalogue(void);
 LAB_ENTRY(lab_catalogue) const char *lab_catalogue(void) {
   const char *constructor;
   begin();
-  lab_text_add(&lab.answer, "{\"version\":\"%s\"", rotdyn_version());
+  rot_write(&lab.answer, "{\"version\":\"%s\"", rotdyn_version());
   for (size_t i = 0; (constructor = rotdyn_object_at(i)) != NULL; i++) {
-    lab_text_add(&lab.answer, ",\"%s\":{\"kind\":\"%s\",\"inputs\":[", constructor,
-                 rotdyn_object_kind(constructor));
+    rot_write(&lab.answer, ",\"%s\":{\"kind\":\"%s\",\"inputs\":[", constructor,
+              rotdyn_object_kind(constructor));
     add_inputs(constructor);
-    lab_text_add(&lab.answer, "]}");
+    rot_write(&lab.answer, "]}");
   }
-  lab_text_add(&lab.answer, ",\"models\":{");
+  rot_write(&lab.answer, ",\"models\":{");
   rotdyn_model model = ROTDYN_INIT(rotdyn_model);
   for (size_t i = 0; rotdyn_model_at(i, &model) == ROTDYN_OK; i++) {
-    lab_text_add(&lab.answer, "%s\"%s\":", i ? "," : "", model.model);
-    lab_text_string(&lab.answer, model.why);
+    rot_write(&lab.answer, "%s\"%s\":", i ? "," : "", model.model);
+    rot_write_string(&lab.answer, model.why);
   }
-  lab_text_add(&lab.answer, "}}");
+  rot_write(&lab.answer, "}}");
   return answered();
 }
 
@@ -116,12 +117,12 @@ LAB_ENTRY(lab_input) char *lab_input(size_t n) {
 }
 
 static void vector_member(const char *name, size_t n, const double x[]) {
-  lab_text_add(&lab.answer, ",\"%s\":[", name);
+  rot_write(&lab.answer, ",\"%s\":[", name);
   for (size_t i = 0; i < n; i++) {
-    if (i) lab_text_add(&lab.answer, ",");
-    lab_text_number(&lab.answer, x[i]);
+    if (i) rot_write(&lab.answer, ",");
+    rot_write_number(&lab.answer, x[i]);
   }
-  lab_text_add(&lab.answer, "]");
+  rot_write(&lab.answer, "]");
 }
 
 /* What a picture of a body in space needs: half the sides of the homogeneous box with its moments,
@@ -167,7 +168,7 @@ static void find_columns(void) {
 
 static void forget(void) {
   rotdyn_object_free(lab.scene);
-  lab_json_free(lab.tree);
+  rot_json_free(lab.tree);
   lab.scene = NULL;
   lab.tree = NULL;
   lab.n = lab.n_columns = 0;
@@ -178,25 +179,25 @@ LAB_ENTRY(lab_read) const char *lab_read(void) {
   lab_refusal refusal;
   forget();
   begin();
-  lab.tree = lab.input ? lab_json_read(lab.input) : NULL;
+  lab.tree = lab.input ? rot_json_read(lab.input) : NULL;
   lab.scene = lab_scene_read(lab.tree, &refusal);
-  lab_text_add(&lab.answer, "{\"status\":%d", lab.scene ? ROTDYN_OK : refusal.status);
+  rot_write(&lab.answer, "{\"status\":%d", lab.scene ? ROTDYN_OK : refusal.status);
   if (!lab.scene) {
     member("input", refusal.input[0] ? refusal.input : NULL);
     member("reason", refusal.reason);
   } else {
-    member("constructor", lab_scene_of(lab.tree)->key);
+    member("constructor", rot_scene_member(lab.tree)->key);
     find_columns();
     member("constraint", lab.id);
     member("index", lab.index);
-    lab_text_add(&lab.answer, ",\"rows_per_time\":%zu,\"columns\":[", lab.rows_per_time);
+    rot_write(&lab.answer, ",\"rows_per_time\":%zu,\"columns\":[", lab.rows_per_time);
     for (size_t i = 0; i < lab.n_columns; i++) {
-      lab_text_add(&lab.answer, "%s{\"name\":\"%s\",\"flag\":%d,\"measure\":%d}", i ? "," : "",
-                   lab.column[i].name, lab.column[i].flag, (int)lab.column[i].measure - 1);
+      rot_write(&lab.answer, "%s{\"name\":\"%s\",\"flag\":%d,\"measure\":%d}", i ? "," : "",
+                lab.column[i].name, lab.column[i].flag, (int)lab.column[i].measure - 1);
     }
-    lab_text_add(&lab.answer, "]");
+    rot_write(&lab.answer, "]");
   }
-  lab_text_add(&lab.answer, "}");
+  rot_write(&lab.answer, "}");
   return answered();
 }
 
@@ -219,25 +220,25 @@ static int set_times(double start, double end, size_t n) {
 }
 
 static void add_measures(const rotdyn_report *r) {
-  lab_text_add(&lab.answer, ",\"measures\":[");
+  rot_write(&lab.answer, ",\"measures\":[");
   for (size_t i = 0; i < r->n_measures; i++) {
-    lab_text_add(&lab.answer, "%s{\"name\":\"%s\"", i ? "," : "", r->measure[i]);
+    rot_write(&lab.answer, "%s{\"name\":\"%s\"", i ? "," : "", r->measure[i]);
     number_member("error", r->measure_error[i]);
     number_member("largest", r->measure_largest[i]);
-    lab_text_add(&lab.answer, "}");
+    rot_write(&lab.answer, "}");
   }
-  lab_text_add(&lab.answer, "]");
+  rot_write(&lab.answer, "]");
 }
 
 static void add_events(const rotdyn_events *e) {
-  lab_text_add(&lab.answer, ",\"n_events\":%zu,\"events\":[", e->count);
+  rot_write(&lab.answer, ",\"n_events\":%zu,\"events\":[", e->count);
   for (size_t i = 0; i < e->count && i < e->room; i++) {
-    lab_text_add(&lab.answer, "%s{\"name\":\"%s\",\"place\":%d", i ? "," : "", e->name[i],
-                 e->place[i]);
+    rot_write(&lab.answer, "%s{\"name\":\"%s\",\"place\":%d", i ? "," : "", e->name[i],
+              e->place[i]);
     number_member("time_s", e->time_s[i]);
-    lab_text_add(&lab.answer, "}");
+    rot_write(&lab.answer, "}");
   }
-  lab_text_add(&lab.answer, "]");
+  rot_write(&lab.answer, "]");
 }
 
 /* The input has the name of a model, or is empty. Without a scene: NULL. */
@@ -270,19 +271,18 @@ const char *lab_run(double start, double end, unsigned n, double accuracy, doubl
   lab.options.events = NULL;
   lab.options.model = r.model;
   begin();
-  lab_text_add(&lab.answer, "{\"status\":%d", r.status);
+  rot_write(&lab.answer, "{\"status\":%d", r.status);
   member("status_text", rotdyn_status_text(r.status));
   member("model", r.model);
   member("input", r.input);
   member("reason", r.reason);
   number_member("error", r.error);
   number_member("time_s", r.time_s);
-  lab_text_add(&lab.answer,
-               ",\"error_is_bound\":%d,\"rows_done\":%zu,\"steps\":%zu,\"rejected\":%zu",
-               r.error_is_bound, r.rows_done, r.steps, r.rejected);
+  rot_write(&lab.answer, ",\"error_is_bound\":%d,\"rows_done\":%zu,\"steps\":%zu,\"rejected\":%zu",
+            r.error_is_bound, r.rows_done, r.steps, r.rejected);
   add_measures(&r);
   add_events(&events);
-  lab_text_add(&lab.answer, "}");
+  rot_write(&lab.answer, "}");
   return answered();
 }
 
@@ -307,18 +307,18 @@ LAB_ENTRY(lab_models) const char *lab_models(void) {
   rotdyn_options options = lab.options;
   options.model = NULL;
   begin();
-  lab_text_add(&lab.answer, "[");
+  rot_write(&lab.answer, "[");
   for (size_t k = 0; rotdyn_scene_candidate(lab.scene, lab.n, lab.times, &options, k, &c) == 0;
        k++) {
-    lab_text_add(&lab.answer, "%s{\"applies\":%d,\"error_is_bound\":%d", k ? "," : "", c.applies,
-                 c.error_is_bound);
+    rot_write(&lab.answer, "%s{\"applies\":%d,\"error_is_bound\":%d", k ? "," : "", c.applies,
+              c.error_is_bound);
     member("model", c.model);
     number_member("error", c.error);
     number_member("cost_s", c.cost_s);
     member("reason", c.reason);
-    lab_text_add(&lab.answer, "}");
+    rot_write(&lab.answer, "}");
   }
-  lab_text_add(&lab.answer, "]");
+  rot_write(&lab.answer, "]");
   return answered();
 }
 
@@ -326,12 +326,12 @@ const char *lab_audit(void);
 LAB_ENTRY(lab_audit) const char *lab_audit(void) {
   if (!lab.scene || !lab.n) return NULL;
   begin();
-  lab_text_add(&lab.answer, "[");
+  rot_write(&lab.answer, "[");
   for (size_t k = 0;; k++) {
     rotdyn_balance b = ROTDYN_INIT(rotdyn_balance);
     if (rotdyn_scene_balance(lab.scene, lab.n, lab.times, &lab.options, k, &b, NULL)) break;
-    lab_text_add(&lab.answer, "%s{\"balanced\":%d,\"conserved\":%d", k ? "," : "", b.balanced,
-                 b.conserved);
+    rot_write(&lab.answer, "%s{\"balanced\":%d,\"conserved\":%d", k ? "," : "", b.balanced,
+              b.conserved);
     member("quantity", b.quantity);
     member("about", b.about);
     member("unit", b.unit);
@@ -341,16 +341,16 @@ LAB_ENTRY(lab_audit) const char *lab_audit(void) {
     number_member("dissipated", b.dissipated);
     number_member("residual", b.residual);
     number_member("explained", b.explained);
-    lab_text_add(&lab.answer, ",\"terms\":[");
+    rot_write(&lab.answer, ",\"terms\":[");
     for (size_t i = 0; i < b.n_terms; i++) {
-      lab_text_add(&lab.answer, "%s{\"role\":%d", i ? "," : "", b.role[i]);
+      rot_write(&lab.answer, "%s{\"role\":%d", i ? "," : "", b.role[i]);
       member("words", b.term[i]);
       number_member("value", b.value[i]);
-      lab_text_add(&lab.answer, "}");
+      rot_write(&lab.answer, "}");
     }
-    lab_text_add(&lab.answer, "]}");
+    rot_write(&lab.answer, "]}");
   }
-  lab_text_add(&lab.answer, "]");
+  rot_write(&lab.answer, "]");
   return answered();
 }
 
@@ -358,8 +358,8 @@ LAB_ENTRY(lab_audit) const char *lab_audit(void) {
 const char *lab_code(void);
 LAB_ENTRY(lab_code) const char *lab_code(void) {
   begin();
-  lab_text_add(&lab.answer, "%s", "");
-  if (lab.tree) (void)lab_scene_code(lab.tree, &lab.answer);
+  rot_write(&lab.answer, "%s", "");
+  if (lab.tree) (void)rot_scene_code(lab.tree, &lab.answer);
   return answered();
 }
 

@@ -1,12 +1,8 @@
-#include "json.h"
+#include "text/json.h"
 
 #include <math.h>
-#include <stdarg.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* ---- reading --------------------------------------------------------------------------------- */
 
 enum { MAX_DEPTH = 40 };
 
@@ -15,10 +11,10 @@ typedef struct reader {
   int depth;
 } reader;
 
-void lab_json_free(lab_node *node) {
+void rot_json_free(rot_json *node) {
   while (node) {
-    lab_node *next = node->next;
-    lab_json_free(node->first);
+    rot_json *next = node->next;
+    rot_json_free(node->first);
     free(node->text);
     free(node->key);
     free(node);
@@ -52,11 +48,12 @@ static int number_ends(const char *from, const char **end) {
 }
 
 static int hex4(const char *at, unsigned *code) {
+  static const char digit[] = "0123456789abcdefABCDEF";
   *code = 0;
   for (int i = 0; i < 4; i++) {
-    const char *place = at[i] ? strchr("0123456789abcdefABCDEF", at[i]) : NULL;
+    const char *place = at[i] ? strchr(digit, at[i]) : NULL;
     if (!place) return 0;
-    const unsigned value = (unsigned)(place - "0123456789abcdefABCDEF");
+    const unsigned value = (unsigned)(place - digit);
     *code = 16 * *code + (value < 16 ? value : value - 6);
   }
   return 1;
@@ -98,6 +95,7 @@ static unsigned escaped(reader *r) {
 }
 
 static char *read_string(reader *r) {
+  static const char letter[] = "\"\\/bfnrt", stands_for[] = "\"\\/\b\f\n\r\t";
   if (*r->at != '"') return NULL;
   r->at++;
   const char *end = r->at;
@@ -105,25 +103,26 @@ static char *read_string(reader *r) {
   /* No escape is shorter than what it stands for. */
   char *text = *end ? malloc((size_t)(end - r->at) + 1) : NULL, *to = text;
   if (!text) return NULL;
-  while (r->at < end) {
+  int fine = 1;
+  while (fine && r->at < end) {
     const char c = *r->at++;
-    if ((unsigned char)c < 0x20) break;
+    fine = (unsigned char)c >= 0x20;
     if (c != '\\') {
       *to++ = c;
       continue;
     }
     const char e = *r->at++;
-    const char *place = strchr("\"\\/bfnrt", e);
+    const char *place = strchr(letter, e);
     if (place) {
-      *to++ = "\"\\/\b\f\n\r\t"[place - "\"\\/bfnrt"];
+      *to++ = stands_for[place - letter];
       continue;
     }
     const unsigned code = e == 'u' ? escaped(r) : 0;
-    if (!code) break;
-    to = utf8(to, code);
+    fine = code != 0 && r->at <= end;
+    if (fine) to = utf8(to, code);
   }
   *to = '\0';
-  if (r->at != end) {
+  if (!fine) {
     free(text);
     return NULL;
   }
@@ -131,27 +130,27 @@ static char *read_string(reader *r) {
   return text;
 }
 
-static lab_node *read_value(reader *r);
+static rot_json *read_value(reader *r);
 
 /* The members of an object or the items of an array, behind its bracket. */
-static int read_members(reader *r, lab_node *in, char end) {
-  lab_node **to = &in->first;
+static int read_members(reader *r, rot_json *in, char end) {
+  rot_json **to = &in->first;
   blanks(r);
   if (*r->at == end) return r->at++, 1;
   for (;;) {
     char *key = NULL;
     blanks(r);
-    if (in->kind == LAB_OBJECT) {
+    if (in->kind == ROT_JSON_OBJECT) {
       key = read_string(r);
       blanks(r);
       const int fine = key && *r->at == ':';
-      for (const lab_node *one = in->first; one && fine; one = one->next) {
+      for (const rot_json *one = in->first; one && fine; one = one->next) {
         if (strcmp(one->key, key) == 0) return free(key), 0;
       }
       if (!fine) return free(key), 0;
       r->at++;
     }
-    lab_node *node = read_value(r);
+    rot_json *node = read_value(r);
     if (!node) return free(key), 0;
     node->key = key;
     *to = node;
@@ -171,114 +170,64 @@ static int read_word(reader *r, const char *word) {
   return 1;
 }
 
-static int read_into(reader *r, lab_node *node) {
+static int read_into(reader *r, rot_json *node) {
   const char *end;
   switch (*r->at) {
   case '{':
   case '[':
-    node->kind = *r->at == '{' ? LAB_OBJECT : LAB_ARRAY;
+    node->kind = *r->at == '{' ? ROT_JSON_OBJECT : ROT_JSON_ARRAY;
     r->at++;
-    return read_members(r, node, node->kind == LAB_OBJECT ? '}' : ']');
-  case '"': node->kind = LAB_STRING; return (node->text = read_string(r)) != NULL;
+    return read_members(r, node, node->kind == ROT_JSON_OBJECT ? '}' : ']');
+  case '"': node->kind = ROT_JSON_STRING; return (node->text = read_string(r)) != NULL;
   case 'n': return read_word(r, "null");
   case 't':
     node->number = 1.0;
-    node->kind = LAB_BOOLEAN;
+    node->kind = ROT_JSON_BOOLEAN;
     return read_word(r, "true");
-  case 'f': node->kind = LAB_BOOLEAN; return read_word(r, "false");
+  case 'f': node->kind = ROT_JSON_BOOLEAN; return read_word(r, "false");
   default: break;
   }
   if (!number_ends(r->at, &end)) return 0;
-  node->kind = LAB_NUMBER;
+  node->kind = ROT_JSON_NUMBER;
   node->number = strtod(r->at, NULL);
   r->at = end;
   return 1;
 }
 
-static lab_node *read_value(reader *r) {
-  lab_node *node = r->depth < MAX_DEPTH ? calloc(1, sizeof *node) : NULL;
+static rot_json *read_value(reader *r) {
+  rot_json *node = r->depth < MAX_DEPTH ? calloc(1, sizeof *node) : NULL;
   if (!node) return NULL;
   blanks(r);
   r->depth++;
   const int fine = read_into(r, node);
   r->depth--;
   if (fine) return node;
-  lab_json_free(node);
+  rot_json_free(node);
   return NULL;
 }
 
-lab_node *lab_json_read(const char *text) {
+rot_json *rot_json_read(const char *text) {
   reader r = {text, 0};
-  lab_node *node = read_value(&r);
+  rot_json *node = read_value(&r);
   blanks(&r);
   if (!node || *r.at == '\0') return node;
-  lab_json_free(node);
+  rot_json_free(node);
   return NULL;
 }
 
-/* ---- writing --------------------------------------------------------------------------------- */
-
-static int room_for(lab_text *to, size_t more) {
-  if (to->failed) return 0;
-  if (to->length + more + 1 > to->room) {
-    const size_t room = 2 * (to->length + more + 64);
-    char *text = realloc(to->text, room);
-    if (!text) {
-      to->failed = 1;
-      return 0;
-    }
-    to->text = text;
-    to->room = room;
-  }
-  return 1;
+int rot_json_number(const rot_json *node, double *x) {
+  if (node->kind == ROT_JSON_NUMBER) return *x = node->number, 1;
+  if (node->kind != ROT_JSON_STRING) return 0;
+  if (strcmp(node->text, "Inf") == 0) return *x = INFINITY, 1;
+  if (strcmp(node->text, "-Inf") == 0) return *x = -INFINITY, 1;
+  if (strcmp(node->text, "NaN") == 0) return *x = NAN, 1;
+  return 0;
 }
 
-void lab_text_add(lab_text *to, const char *format, ...) {
-  va_list list;
-  va_start(list, format);
-  const int n = vsnprintf(NULL, 0, format, list);
-  va_end(list);
-  if (n < 0 || !room_for(to, (size_t)n)) return;
-  va_start(list, format);
-  (void)vsnprintf(to->text + to->length, (size_t)n + 1, format, list);
-  va_end(list);
-  to->length += (size_t)n;
-}
-
-void lab_text_string(lab_text *to, const char *text) {
-  if (!text) {
-    lab_text_add(to, "null");
-    return;
+int rot_json_numbers(const rot_json *array) {
+  double x;
+  for (const rot_json *one = array->first; one; one = one->next) {
+    if (!rot_json_number(one, &x)) return 0;
   }
-  lab_text_add(to, "\"");
-  for (; *text; text++) {
-    const unsigned char c = (unsigned char)*text;
-    if (c == '"' || c == '\\') {
-      lab_text_add(to, "\\%c", c);
-    } else if (c < 0x20) {
-      lab_text_add(to, "\\u%04x", c);
-    } else {
-      lab_text_add(to, "%c", c);
-    }
-  }
-  lab_text_add(to, "\"");
-}
-
-void lab_shortest(double x, char to[32]) {
-  if (isnan(x)) {
-    (void)snprintf(to, 32, "NaN");
-  } else if (isinf(x)) {
-    (void)snprintf(to, 32, x > 0.0 ? "Inf" : "-Inf");
-  } else {
-    for (int places = 15; places <= 17; places++) {
-      (void)snprintf(to, 32, "%.*g", places, x);
-      if (strtod(to, NULL) == x) break;
-    }
-  }
-}
-
-void lab_text_number(lab_text *to, double x) {
-  char text[32];
-  lab_shortest(x, text);
-  lab_text_add(to, "%s", isnan(x) ? "null" : isinf(x) ? (x > 0.0 ? "1e999" : "-1e999") : text);
+  return array->n > 0;
 }

@@ -1,0 +1,178 @@
+#include "text/scene_code.h"
+
+#include <string.h>
+
+#include "ground/text.h"
+#include "object/object.h"
+
+const rot_json *rot_scene_member(const rot_json *tree) {
+  const rot_json *scene = NULL;
+  if (!tree || tree->kind != ROT_JSON_OBJECT) return NULL;
+  for (const rot_json *one = tree->first; one; one = one->next) {
+    if (strcmp(one->key, "scene_format") == 0) {
+      if (one->kind != ROT_JSON_NUMBER || one->number != 1.0) return NULL;
+    } else if (scene) {
+      return NULL;
+    } else {
+      scene = one;
+    }
+  }
+  return scene;
+}
+
+const char *rot_scene_part(const rot_json *node, const char *input, const rot_json **arguments) {
+  rot_made made;
+  if (node->n == 1 && rot_object_made(node->first->key, &made)) {
+    *arguments = node->first;
+    return node->first->key;
+  }
+  *arguments = node;
+  return input;
+}
+
+static void indent(rot_writer *to, int level) { rot_write(to, "\n%*s", 2 * level, ""); }
+
+/* Room in a line; 0: the code may take several. */
+typedef size_t line_end;
+typedef enum made { NO_CODE, CODE, TOO_LONG } made;
+
+static made code_of(const rot_json *node, const char *name, int level, line_end end,
+                    rot_writer *to);
+
+/* `items`: the input whose items the arguments without names are. */
+static made write_call(const char *function, const rot_json *arguments, const char *items,
+                       int level, line_end end, rot_writer *to) {
+  rot_write(to, "%s(", function);
+  for (const rot_json *one = arguments->first; one; one = one->next) {
+    if (!end) indent(to, level + 1);
+    if (one->key) rot_write(to, "%s = ", one->key);
+    const made done = code_of(one, one->key ? one->key : items, level + 1, end, to);
+    if (done != CODE) return done;
+    if (one->next) rot_write(to, end ? ", " : ",");
+  }
+  if (!end) indent(to, level);
+  rot_write(to, ")");
+  if (to->failed) return NO_CODE;
+  return end && to->length > end ? TOO_LONG : CODE;
+}
+
+/* A call in one line where it is short, else an argument a line. */
+static made code_of_call(const char *function, const rot_json *arguments, const char *items,
+                         int level, line_end end, rot_writer *to) {
+  const size_t from = to->length, used = 2 * (size_t)level, room = used < 64 ? 72 - used : 8;
+  const made short_one = write_call(function, arguments, items, level, end ? end : from + room, to);
+  if (short_one != TOO_LONG || end) return short_one;
+  to->length = from;
+  return write_call(function, arguments, items, level, 0, to);
+}
+
+static made code_of_text(const char *text, rot_writer *to) {
+  rot_write(to, "\"");
+  for (; *text; text++) {
+    if ((unsigned char)*text < 0x20) return NO_CODE;
+    rot_write(to, *text == '"' || *text == '\\' ? "\\%c" : "%c", *text);
+  }
+  rot_write(to, "\"");
+  return CODE;
+}
+
+/* Laws are added by `+`; one of them must be a law. */
+static made code_of_sum(const rot_json *laws, int level, line_end end, rot_writer *to) {
+  if (!laws || laws->kind != ROT_JSON_ARRAY || laws->n == 0) return NO_CODE;
+  for (const rot_json *one = laws->first; one; one = one->next) {
+    const int number = one->kind == ROT_JSON_NUMBER;
+    if (number) rot_write(to, "torque_constant(");
+    const made done = code_of(one, "torque", level, end, to);
+    if (done != CODE) return done;
+    rot_write(to, "%s%s", number ? ")" : "", one->next ? " + " : "");
+  }
+  return CODE;
+}
+
+static made code_of_made(const char *constructor, const rot_json *arguments, int level,
+                         line_end end, rot_writer *to) {
+  rot_made m;
+  if (!rot_object_made(constructor, &m) || arguments->kind != ROT_JSON_OBJECT) return NO_CODE;
+  if (strcmp(constructor, "torque_sum") == 0) return code_of_sum(arguments->first, level, end, to);
+  const unsigned makes = m.part ? m.part->makes : 0;
+  if (makes == ROT_INPUT_TABLE) return code_of_call("data.frame", arguments, "", level, end, to);
+  /* Those are no functions of R. */
+  if (makes & (ROT_INPUT_MOMENTS | ROT_INPUT_SIZES | ROT_INPUT_POINTS)) return NO_CODE;
+  if (strncmp(constructor, "rot_", 4) == 0 || strcmp(constructor, "torque_term") == 0) {
+    return NO_CODE;
+  }
+  for (const rot_json *one = arguments->first; one; one = one->next) {
+    /* What laws become when they are added: torque_knots() takes words there. */
+    if (!strcmp(one->key, "outside") && one->kind == ROT_JSON_ARRAY) return NO_CODE;
+  }
+  return code_of_call(constructor, arguments, "", level, end, to);
+}
+
+/* Many numbers fill the lines. */
+static made code_of_numbers(const rot_json *numbers, int level, line_end end, rot_writer *to) {
+  const size_t from = to->length;
+  const made done = code_of_call("c", numbers, "", level, end ? end : from + 72, to);
+  if (done != TOO_LONG || end) return done;
+  to->length = from;
+  rot_write(to, "c(");
+  indent(to, level + 1);
+  size_t line = to->length;
+  for (const rot_json *one = numbers->first; one; one = one->next) {
+    if (to->length - line > 64) {
+      indent(to, level + 1);
+      line = to->length;
+    }
+    (void)code_of(one, "", level, 0, to);
+    if (one->next) rot_write(to, to->length - line > 64 ? "," : ", ");
+  }
+  indent(to, level);
+  rot_write(to, ")");
+  return CODE;
+}
+
+/* Rows of as many numbers. */
+static int is_matrix(const rot_json *array) {
+  for (const rot_json *one = array->first; one; one = one->next) {
+    if (one->kind != ROT_JSON_ARRAY || !rot_json_numbers(one) || one->n != array->first->n) {
+      return 0;
+    }
+  }
+  return array->n > 1;
+}
+
+static made code_of(const rot_json *node, const char *name, int level, line_end end,
+                    rot_writer *to) {
+  char number[ROT_TEXT_SIZE];
+  const rot_json *arguments;
+  double x;
+  if (end && to->length > end) return TOO_LONG;
+  if (rot_json_number(node, &x)) {
+    (void)rot_text_number(x, number);
+    rot_write(to, "%s", number);
+    return CODE;
+  }
+  switch (node->kind) {
+  case ROT_JSON_NULL: rot_write(to, "NULL"); return CODE;
+  case ROT_JSON_BOOLEAN: rot_write(to, node->number != 0.0 ? "TRUE" : "FALSE"); return CODE;
+  case ROT_JSON_STRING: return code_of_text(node->text, to);
+  case ROT_JSON_OBJECT:
+    name = rot_scene_part(node, name, &arguments);
+    return code_of_made(name, arguments, level, end, to);
+  default: break;
+  }
+  if (rot_json_numbers(node)) return code_of_numbers(node, level, end, to);
+  if (is_matrix(node)) return code_of_call("rbind", node, "", level, end, to);
+  return code_of_call("list", node, name, level, end, to);
+}
+
+int rot_scene_code(const rot_json *tree, rot_writer *to) {
+  const rot_json *scene = rot_scene_member(tree);
+  if (!scene) return 0;
+  const size_t from = to->length;
+  const int fine = code_of_made(scene->key, scene, 0, 0, to) == CODE && !to->failed;
+  if (!fine && to->text) {
+    to->length = from;
+    to->text[from] = '\0';
+  }
+  return fine;
+}

@@ -1,0 +1,56 @@
+# R code of scenes and bodies: what it makes, for scenes of every constructor, and what has none.
+
+again <- function(x) eval(parse(text = scene_code(x), keep.source = FALSE), asNamespace("rotdyn"))
+
+test_that("the code of every kind of scene makes the same scene, number by number", {
+  set.seed(2)
+  makers <- list(
+    random_axle, random_pendulum, random_hanging, random_gears, random_rotors, random_clutch,
+    random_drive, random_free, random_pivot,
+    function() scene_incline(body_sphere(1, 0.1), 20, static_friction = 0.3, force = 2),
+    function() scene_hoop(1, 0.5, 6, theta0_rad = 0.3, static_friction = 0.1),
+    function() scene_chain(c(1, 2), c(0.5, 0.4), theta0_rad = c(1, -0.5), links = "rods")
+  )
+  written <- 0L
+  for (make in makers) for (i in seq_len(or_long(4L, 20L))) {
+    scene <- suppressMessages(make())
+    code <- tryCatch(scene_code(scene), rotdyn_error_scene = function(e) NULL)
+    if (is.null(code)) next # laws and bodies that are no calls
+    written <- written + 1L
+    expect_identical(scene_hash(suppressMessages(again(scene))), scene_hash(scene), info = code)
+  }
+  expect_gt(written, or_long(36L, 180L))
+})
+
+test_that("the code of a body makes the same body", {
+  for (body in list(
+    body_disk(2, 0.25), body_annulus(1, 0.3, 0.1), place_body(body_rod(1, 2), c(0, 0, 1)),
+    join_bodies(body_disk(1, 0.2), place_body(body_sphere(1, 0.1), c(0.3, 0, 0)), name = "a \"b\""),
+    cut_body(body_disk(2, 0.5), place_body(body_disk(1, 0.1), c(0.2, 0, 0)))
+  )) {
+    expect_identical(again(body), body)
+  }
+})
+
+test_that("numbers have the digits that bring the same bits back", {
+  scene <- scene_axle(1 / 3, torque_knots(c(0, 0.1, 0.7), c(0.1 + 0.2, -1e-300, 1e22)),
+                      omega0_rad_per_s = sqrt(2))
+  expect_identical(again(scene), scene)
+  expect_match(scene_code(scene), "0.30000000000000004", fixed = TRUE)
+  wheel <- scene_axle(body_disk(2, 0.25), 0.8)
+  expect_identical(
+    scene_code(wheel), "scene_axle(body = body_disk(mass_kg = 2, radius_m = 0.25), torque = 0.8)"
+  )
+})
+
+test_that("what no such code makes is refused", {
+  law <- scene_axle(1, function(time_s) time_s)
+  expect_error(scene_code(law), "R function", class = "rotdyn_error_scene")
+  weights <- body_tensor(1, c(1, 1, 1))
+  expect_error(scene_code(weights), "makes this body", class = "rotdyn_error_scene")
+  expect_error(scene_code(scene_free(weights, c(0, 0, 1))), "makes this scene",
+               class = "rotdyn_error_scene")
+  expect_error(scene_code(3), class = "rotdyn_error_type")
+  expect_error(scene_code(), class = "rotdyn_error_missing")
+  expect_error(scene_code(law, code = 1), class = "rotdyn_error_argument")
+})
