@@ -24,8 +24,8 @@
 #' @concept terminal
 #' @examples
 #' command <- install_cli(tempfile("bin"))
-#' \donttest{
-#' system2(command, c("roll", "--beta", "0.4", "--angle-deg", "20", "--height-m", "1"))
+#' if (interactive()) {
+#'   system2(command, c("roll", "--beta", "0.4", "--angle-deg", "20", "--height-m", "1"))
 #' }
 #' @export
 install_cli <- function(dir, ..., overwrite = FALSE) {

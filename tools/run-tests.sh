@@ -153,8 +153,8 @@ heading "R CMD check --as-cran"
 #   _R_CHECK_CRAN_INCOMING_REMOTE_          compares with CRAN's own package list, follows URLs
 #   _R_CHECK_SYSTEM_CLOCK_                  asks a time server whether our clock is right
 #   _R_CHECK_XREFS_USE_ALIASES_FROM_CRAN_   fetches the help topics of packages not installed here
-# Examples run once, those of \donttest{} with the others.
-check_options="--as-cran --run-donttest --no-manual --no-vignettes"
+# No example is in \donttest{}: a check as CRAN's would run all of them twice.
+check_options="--as-cran --no-manual --no-vignettes"
 test $vignettes = yes || check_options="$check_options --ignore-vignettes"
 force=true
 # Setup has announced a suggested package that is not available; it is not an error. But --as-cran

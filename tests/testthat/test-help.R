@@ -28,6 +28,8 @@ test_that("every page has a See Also, and examples that run something", {
     examples <- parts_of(pages[[name]], "\\examples")
     code <- trimws(sub("#.*", "", unlist(strsplit(examples, "\n"))))
     expect_gt(sum(nzchar(code)), 0)
+    # One such part, and a check as CRAN's runs all examples of the package twice.
+    expect_false(has_tag(pages[[name]], "\\donttest"), info = name)
   }
 })
 
