@@ -17,8 +17,8 @@
 #' @param at_m Position of the body's own origin in the frame, three numbers in m. (The origin is
 #'   stated in the help of the shape; it need not be the centre of mass.)
 #' @param rotation Rotation of the body about its own origin, applied first: a rotation matrix (own
-#'   axes to the frame, as from [rotation_about()]) or a unit quaternion, scalar first; orthogonal,
-#'   or of length 1, within 1e-8.
+#'   axes to the frame, as from [rotation_about()]), a unit quaternion, scalar first, or a row of
+#'   [attitude_from()]; orthogonal, or of length 1, within 1e-8.
 #' @param ... `join_bodies()`: bodies placed in one frame, or lists of them. Otherwise not used.
 #' @param hole A `rot_body` in the same frame: the material removed, with its mass. Its mass is
 #'   consistent if it is made with the density of the body, `density_kg_m3 =`.

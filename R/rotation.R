@@ -70,11 +70,21 @@ unit_axis <- function(axis, call) {
 # A rotation as a matrix: NULL (none), a 3 x 3 matrix, or a quaternion, scalar first, body to space.
 as_rotation <- function(rotation, arg, call) {
   if (is.null(rotation)) return(diag(3))
+  if (is.data.frame(rotation)) {
+    q <- as_attitude(rotation, arg, call)
+    if (length(q[[1]]) != 1L) {
+      abort_rotdyn(c(
+        "{.arg {arg}} must be one attitude.", x = "It has {length(q[[1]])} rows."
+      ), "size", call)
+    }
+    rotation <- unlist(q, use.names = FALSE)
+  }
   size <- dim(rotation) %||% length(rotation)
   if (!is.numeric(rotation) || is.object(rotation) ||
     !(identical(size, c(3L, 3L)) || identical(size, 4L))) {
     abort_rotdyn(c(
-      "{.arg {arg}} must be a 3 x 3 rotation matrix or a quaternion (scalar first).",
+      "{.arg {arg}} must be a 3 x 3 rotation matrix, a quaternion (scalar first), or a row of
+       {.fn attitude_from}.",
       x = "It is {describe_value(rotation)}.",
       i = "See {.fn rotation_about}."
     ), "type", call)

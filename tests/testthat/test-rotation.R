@@ -116,3 +116,14 @@ test_that("an angle has its unit", {
   expect_error(rotation_about("z", 30), class = "rotdyn_error_argument")
   expect_error(rotation_about("z", angle = 30), class = "rotdyn_error_argument")
 })
+
+test_that("a rotation is also a row of attitude_from()", {
+  row <- attitude_from(c(1, 2, 2, 0.7), "axis_angle")
+  plate <- body_box(1, 1, 2, 3)
+  turn <- rotation_about(c(1, 2, 2), angle_rad = 0.7)
+  expect_equal(inertia_tensor(place_body(plate, rotation = row)),
+               inertia_tensor(place_body(plate, rotation = turn)), tolerance = 1e-15)
+  two <- rbind(row, row)
+  expect_error(place_body(plate, rotation = two), class = "rotdyn_error_size")
+  expect_error(place_body(plate, rotation = data.frame(x = 1)), class = "rotdyn_error_type")
+})
