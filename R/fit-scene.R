@@ -335,7 +335,8 @@ solve_fit <- function(about, starts, call) {
   }
   if (found$numbers[1] != 0 && found$numbers[5] == 0) {
     abort_rotdyn(c(
-      "The search cannot begin: at its start the motion or its residuals leave double precision.",
+      "The search cannot begin: at its start the motion needs too many steps, or it or its residuals
+       leave double precision.",
       i = "Give the scene a start whose motion is of the size of the record."
     ), "range", call)
   }

@@ -115,7 +115,7 @@ table_lines <- function(x, n, of = x) {
     return(c(whole[cumsum(grepl("[0-9]+ variable", whole)) == 0L], listed(names(x), " column")))
   }
   # No more columns fit than their names.
-  room <- max(1L, sum(cumsum(nchar(names(columns)) + 1L) <= width))
+  room <- max(1L, sum(cumsum(nchar(names(columns), "width") + 1L) <= width))
   lines <- unwrapped(plain[seq_len(room)], n)
   comment <- startsWith(cli::ansi_strip(lines), "#")
   body <- lines[!comment]
@@ -126,7 +126,7 @@ table_lines <- function(x, n, of = x) {
   rows <- grep("more row", lines[comment], value = TRUE)
   others <- names(columns)[-seq_len(fit)]
   c(
-    head, if (fit < room) cli::ansi_substr(body, 1L, ends[fit]) else body, cli::ansi_strip(rows),
+    head, if (fit < room) cli::ansi_strtrim(body, ends[fit], "") else body, cli::ansi_strip(rows),
     if (length(others)) listed(others, " more column")
   )
 }
@@ -138,19 +138,24 @@ unwrapped <- function(x, n) {
   format(x, n = n, width = Inf)
 }
 
-# Where the columns of a printed table end: the first line has the names. Between two names only one
-# column is blank in all lines and next to the later name or to the numbers that reach further to
-# the left than it.
+# Where the columns of a printed table end, in places of the terminal: the first line has the names.
+# Between two names one place is blank in all lines, next to the later name or to the numbers that
+# reach further to the left than it.
 column_ends <- function(lines, names) {
-  blank <- Reduce(`&`, lapply(strsplit(formatC(lines, width = -max(nchar(lines))), ""), `==`, " "))
+  blank <- lapply(strsplit(lines, ""), function(letters) {
+    rep(letters, nchar(letters, "width")) == " "
+  })
+  size <- max(lengths(blank))
+  blank <- Reduce(`&`, lapply(blank, function(x) c(x, rep(TRUE, size - length(x)))))
   starts <- integer(length(names))
   from <- 1L
   for (i in seq_along(names)) {
     at <- from - 1L + regexpr(names[i], substring(lines[1L], from), fixed = TRUE)
-    starts[i] <- max(0L, which(blank[seq_len(at)])) + 1L
+    before <- nchar(substr(lines[1L], 1L, at - 1L), "width")
+    starts[i] <- max(0L, which(blank[seq_len(before + 1L)])) + 1L
     from <- at + nchar(names[i])
   }
-  c(starts[-1L] - 2L, length(blank))
+  c(starts[-1L] - 2L, size)
 }
 
 # Columns named ..._x_..., ..._y_..., ..._z_... are components; those of one unit are compared. Of

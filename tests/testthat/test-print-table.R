@@ -398,3 +398,19 @@ test_that("other objects print this", {
   text <- unlist(lapply(all, function(one) c("", printed(one[[1]]))))
   expect_snapshot(writeLines(text))
 })
+
+test_that("columns end where letters of any width and language say", {
+  wide <- table_from(list(
+    word = c("Gr\u00f6\u00dfe \u00e9", "b", "\u65e5\u672c\u8a9e"), omega_rad_per_s = c(1, 22, 333),
+    note = c("long text with spaces", "b b", "c"), long_name_of_a_column_m = 1:3
+  ))
+  old <- options(width = 44)
+  on.exit(options(old))
+  skip_if_not(l10n_info()[["UTF-8"]])
+  expect_silent(lines <- cli::ansi_strip(utils::capture.output(print(wide))))
+  expect_identical(lines[4:6], c(
+    "1 Gr\u00f6\u00dfe \u00e9               1", "2 b                    22",
+    "3 \u65e5\u672c\u8a9e              333"
+  ))
+  expect_false(any(grepl("b b", lines, fixed = TRUE)))
+})
