@@ -24,7 +24,9 @@ static inline uint64_t reversed(uint64_t x) {
 /* Bit k of the result is bit k of x, changed or not by a hash of the bits below: a permutation that
  * is nested, as each of its steps is. The first term and the first odd factor alone, of 64 random
  * bits each, give any two points the joint distribution of Owen's scrambling, so means have its
- * variance; the other steps bring sums of many points near the normal law. */
+ * variance; the other rounds bring sums of many points near the normal law. Means of 2 to 1024
+ * points, 40,000 seeds: kurtosis 4.0 after two rounds, 2.9 to 3.1 after three, whether the later
+ * factors have 64 bits or 32. */
 static inline uint64_t one_round(const rot_sobol *s, int i, uint64_t x) {
   x = (x + s->add[i]) * s->odd[i];
   return x ^ x * s->even[i];
@@ -54,47 +56,51 @@ static void scrambled(const rot_sobol *s, uint64_t base, const uint64_t near[], 
 #define ROT_LANES        __attribute__((target("avx2")))
 #define ROT_LANES_INLINE static inline __attribute__((always_inline, target("avx2")))
 
-typedef struct lanes {
-  __m256i add, odd, odd_high, even, even_high;
-} lanes;
+ROT_LANES_INLINE __m256i all(uint64_t x) { return _mm256_set1_epi64x((long long)x); }
 
-ROT_LANES_INLINE lanes lanes_of(const rot_sobol *s, int i) {
-  const __m256i odd = _mm256_set1_epi64x((long long)s->odd[i]);
-  const __m256i even = _mm256_set1_epi64x((long long)s->even[i]);
-  return (lanes){_mm256_set1_epi64x((long long)s->add[i]), odd, _mm256_srli_epi64(odd, 32), even,
-                 _mm256_srli_epi64(even, 32)};
+/* The low 64 bits of products with a factor below 2^32. */
+ROT_LANES_INLINE __m256i times_half(__m256i x, __m256i by) {
+  const __m256i high = _mm256_mul_epu32(_mm256_srli_epi64(x, 32), by);
+  return _mm256_add_epi64(_mm256_mul_epu32(x, by), _mm256_slli_epi64(high, 32));
 }
 
-/* x times a number whose high halves are there, too: the low 64 bits. */
+/* The same with by + 2^32 high. */
 ROT_LANES_INLINE __m256i times(__m256i x, __m256i by, __m256i high) {
-  const __m256i across =
-      _mm256_add_epi64(_mm256_mul_epu32(x, high), _mm256_mul_epu32(_mm256_srli_epi64(x, 32), by));
-  return _mm256_add_epi64(_mm256_mul_epu32(x, by), _mm256_slli_epi64(across, 32));
+  return _mm256_add_epi64(times_half(x, by), _mm256_slli_epi64(_mm256_mul_epu32(x, high), 32));
 }
 
-ROT_LANES_INLINE __m256i round_of_four(const lanes *l, __m256i x) {
-  x = times(_mm256_add_epi64(x, l->add), l->odd, l->odd_high);
-  return _mm256_xor_si256(x, times(x, l->even, l->even_high));
+/* A round whose factors are below 2^32. */
+ROT_LANES_INLINE __m256i round_of_four(__m256i x, __m256i add, __m256i odd, __m256i even) {
+  x = times_half(_mm256_add_epi64(x, add), odd);
+  return _mm256_xor_si256(x, times_half(x, even));
 }
 
 /* The same of four numbers at a time, in half the time: the bits of a byte turn round by two
- * look-ups of its halves. */
+ * look-ups of its halves. Near points differ in their six lowest bits alone. */
 ROT_LANES static void scrambled_simd(const rot_sobol *s, uint64_t base, const uint64_t near[],
                                      size_t n, double u[]) {
   const __m256i half = _mm256_setr_epi8(0, 8, 4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15, 0, 8,
                                         4, 12, 2, 10, 6, 14, 1, 9, 5, 13, 3, 11, 7, 15);
   const __m256i bytes = _mm256_setr_epi8(7, 6, 5, 4, 3, 2, 1, 0, 15, 14, 13, 12, 11, 10, 9, 8, 7, 6,
                                          5, 4, 3, 2, 1, 0, 15, 14, 13, 12, 11, 10, 9, 8);
-  const __m256i low = _mm256_set1_epi8(15), shifted = _mm256_slli_epi16(half, 4);
-  const __m256i from = _mm256_set1_epi64x((long long)base);
-  const lanes first = lanes_of(s, 0), second = lanes_of(s, 1), third = lanes_of(s, 2);
+  const __m256i nibble = _mm256_set1_epi8(15), shifted = _mm256_slli_epi16(half, 4);
+  /* The first term and odd factor, of the bits that differ and of the others. */
+  const uint64_t differ = ROT_SOBOL_NEAR - 1, others = ((base & ~differ) + s->add[0]) * s->odd[0];
+  const __m256i from = all(base & differ), rest = all(others);
+  const __m256i odd = all(s->odd[0]), odd_high = all(s->odd[0] >> 32);
+  const __m256i even = all(s->even[0]), even_high = all(s->even[0] >> 32);
+  const __m256i add_1 = all(s->add[1]), odd_1 = all(s->odd[1]), even_1 = all(s->even[1]);
+  const __m256i add_2 = all(s->add[2]), odd_2 = all(s->odd[2]), even_2 = all(s->even[2]);
   size_t k = 0;
   for (; k + 4 <= n; k += 4) {
     __m256i x =
         _mm256_xor_si256(from, _mm256_loadu_si256((const __m256i *)(const void *)(near + k)));
-    x = round_of_four(&third, round_of_four(&second, round_of_four(&first, x)));
-    const __m256i high = _mm256_and_si256(_mm256_srli_epi16(x, 4), low);
-    x = _mm256_or_si256(_mm256_shuffle_epi8(shifted, _mm256_and_si256(x, low)),
+    const __m256i low = _mm256_mul_epu32(x, odd), across = _mm256_mul_epu32(x, odd_high);
+    x = _mm256_add_epi64(_mm256_add_epi64(rest, low), _mm256_slli_epi64(across, 32));
+    x = _mm256_xor_si256(x, times(x, even, even_high));
+    x = round_of_four(round_of_four(x, add_1, odd_1, even_1), add_2, odd_2, even_2);
+    const __m256i high = _mm256_and_si256(_mm256_srli_epi16(x, 4), nibble);
+    x = _mm256_or_si256(_mm256_shuffle_epi8(shifted, _mm256_and_si256(x, nibble)),
                         _mm256_shuffle_epi8(half, high));
     x = _mm256_srli_epi64(_mm256_shuffle_epi8(x, bytes), 12);
     x = _mm256_or_si256(x, _mm256_set1_epi64x(0x3FF0000000000000));
@@ -143,8 +149,9 @@ void rot_sobol_begin(rot_sobol *s, size_t dimension, const uint64_t *seed) {
       rot_philox_row(*seed, dimension, 2 * i + 1, ROT_STREAM_SCRAMBLING, words + 2);
     }
     s->add[i] = words[0];
-    s->odd[i] = words[1] | 1;
-    s->even[i] = words[2] & ~(uint64_t)1;
+    const int unused_bits = i ? 32 : 0;
+    s->odd[i] = words[1] >> unused_bits | 1;
+    s->even[i] = words[2] >> unused_bits & ~(uint64_t)1;
   }
 }
 
@@ -157,30 +164,35 @@ static uint64_t point(const rot_sobol *s, uint64_t i) {
   return x;
 }
 
+/* Point i + 1 is point i with the direction of the lowest bit of i + 1 added. */
+static uint64_t next_point(const rot_sobol *s, uint64_t point_i, uint64_t i) {
+  int bit = 0;
+  while (bit < ROT_SOBOL_BITS && !((i + 1) >> bit & 1)) bit++;
+  return bit < ROT_SOBOL_BITS ? point_i ^ s->direction[bit] : point_i;
+}
+
 /* Points are linear in their numbers over the field of two elements: point 64 q + k is the
  * exclusive-or of points 64 q and k. */
 void rot_sobol_column(const rot_sobol *s, uint64_t first, size_t n, double u[]) {
 #ifdef ROT_SIMD_CAN
   const int simd = n >= 4 && rot_simd_ok();
 #endif
-  for (size_t done = 0; done < n;) {
-    const uint64_t at = first + done;
-    const size_t skip = (size_t)(at % ROT_SOBOL_NEAR), left = ROT_SOBOL_NEAR - skip;
-    const size_t m = n - done < left ? n - done : left;
-    const uint64_t base = point(s, at - skip);
+  size_t skip = (size_t)(first % ROT_SOBOL_NEAR);
+  uint64_t at = first - skip, base = point(s, at);
+  for (size_t done = 0; done < n; skip = 0) {
+    const size_t left = ROT_SOBOL_NEAR - skip, m = n - done < left ? n - done : left;
     const uint64_t *near = s->near + skip;
-    if (s->scrambled) {
-#ifdef ROT_SIMD_CAN
-      if (simd) {
-        scrambled_simd(s, base, near, m, u + done);
-        done += m;
-        continue;
-      }
-#endif
-      scrambled(s, base, near, m, u + done);
-    } else {
+    if (!s->scrambled) {
       for (size_t k = 0; k < m; k++) u[done + k] = coordinate(base ^ near[k]);
+#ifdef ROT_SIMD_CAN
+    } else if (simd) {
+      scrambled_simd(s, base, near, m, u + done);
+#endif
+    } else {
+      scrambled(s, base, near, m, u + done);
     }
     done += m;
+    base = next_point(s, base ^ s->near[ROT_SOBOL_NEAR - 1], at + ROT_SOBOL_NEAR - 1);
+    at += ROT_SOBOL_NEAR;
   }
 }

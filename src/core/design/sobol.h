@@ -22,7 +22,7 @@ typedef struct rot_sobol {
   uint64_t direction[ROT_SOBOL_BITS];
   uint64_t near[ROT_SOBOL_NEAR]; /* points 0 .. 63 */
   int scrambled;
-  /* Keys of the hash: terms, odd and even factors. */
+  /* Keys of the hash: terms, odd and even factors, those of later rounds below 2^32. */
   uint64_t add[ROT_SOBOL_ROUNDS], odd[ROT_SOBOL_ROUNDS], even[ROT_SOBOL_ROUNDS];
 } rot_sobol;
 

@@ -37,24 +37,25 @@ size_t rot_run_rows_per_time(const rot_constraint *constraint, const void *scene
   return constraint->rows_per_time ? constraint->rows_per_time(scene) : 1;
 }
 
-int rot_run_shows(const rot_constraint *constraint, const void *scene, unsigned effects,
-                  size_t column) {
-  const unsigned with = constraint->columns[column].only_with;
-  if (!with) return 1;
-  if (with != ROT_AS_SHOWN && !(with & effects)) return 0;
-  return !constraint->shows || (constraint->shows(scene) >> column & 1u);
+/* What decides which columns a scene shows. */
+typedef struct showing {
+  unsigned effects;
+  uint64_t mask;
+} showing;
+
+static showing showing_of(const rot_constraint *c, const void *scene) {
+  return (showing){c->effects_of(scene), c->shows ? c->shows(scene) : ~(uint64_t)0};
 }
 
-/* scene => mask of the columns that rows of it show, as rot_run_shows() of each has it */
-static uint64_t shown_columns(const rot_constraint *c, const void *scene) {
-  const unsigned effects = c->effects_of(scene);
-  uint64_t all = 0, mask = c->shows ? c->shows(scene) : ~(uint64_t)0;
-  for (size_t i = 0; i < c->n_columns && mask >> i; i++) {
-    const unsigned with = c->columns[i].only_with;
-    const int shown = !with || ((with == ROT_AS_SHOWN || with & effects) && (mask >> i & 1u));
-    all |= (uint64_t)shown << i;
-  }
-  return all;
+static int shows(const rot_constraint *c, showing by, size_t column) {
+  const unsigned with = c->columns[column].only_with;
+  return !with || ((with == ROT_AS_SHOWN || with & by.effects) && (by.mask >> column & 1u));
+}
+
+int rot_run_shows(const rot_constraint *constraint, const void *scene, unsigned effects,
+                  size_t column) {
+  const uint64_t mask = constraint->shows ? constraint->shows(scene) : ~(uint64_t)0;
+  return shows(constraint, (showing){effects, mask}, column);
 }
 
 const char *rot_run_term_words(const rot_constraint *constraint, const void *scene, size_t term) {
@@ -88,10 +89,10 @@ static rot_status open_columns(job *j, size_t n_times, const rot_rows *want) {
   }
   const size_t n = n_times * rot_run_rows_per_time(c, j->scene);
   /* A constraint with its own shows() writes no other columns. */
-  const uint64_t written = c->shows ? shown_columns(c, j->scene) : ~(uint64_t)0;
+  const showing by = showing_of(c, j->scene);
   for (size_t i = 0; i < c->n_columns; i++) {
     j->column[i] = column ? column[i] : NULL;
-    lacks[i] = !j->column[i] && (written >> i & 1u);
+    lacks[i] = !j->column[i] && (!c->shows || shows(c, by, i));
     missing += (size_t)lacks[i];
   }
   if (missing && n > (SIZE_MAX - 1) / sizeof(double) / missing) return ROT_ENOMEM;
@@ -136,15 +137,15 @@ static uint64_t not_finite(size_t n, const double x[]) {
 /* 1 if a shown column contains Inf. */
 static int beyond_doubles(const job *j, size_t n) {
   const rot_constraint *c = j->constraint;
-  const uint64_t shown = shown_columns(c, j->scene);
+  const showing by = showing_of(c, j->scene);
   uint64_t found = 0;
-  for (size_t i = 0; i < c->n_columns && shown >> i; i++) {
-    if (!c->columns[i].flag && (shown >> i & 1u)) found |= not_finite(n, j->rows.column[i]);
+  for (size_t i = 0; i < c->n_columns; i++) {
+    if (!c->columns[i].flag && shows(c, by, i)) found |= not_finite(n, j->rows.column[i]);
   }
   if (!found) return 0;
   for (size_t i = 0; i < c->n_columns; i++) {
     const double *x = j->rows.column[i];
-    if (c->columns[i].flag || !(shown >> i & 1u)) continue;
+    if (c->columns[i].flag || !shows(c, by, i)) continue;
     for (size_t k = 0; k < n; k++) {
       if (isinf(x[k])) return 1;
     }
