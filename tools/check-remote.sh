@@ -6,7 +6,8 @@
 
 sshd=$(command -v sshd || ls /usr/sbin/sshd /usr/local/sbin/sshd 2> /dev/null | head -1)
 for program in "${sshd:-sshd}" ssh ssh-keygen; do
-  command -v "$program" > /dev/null || { echo "skipped: $program is needed"; exit 0; }
+  command -v "$program" > /dev/null ||
+    { echo "skipped: $program is needed (Debian: apt-get install openssh-server)"; exit 0; }
 done
 test -d /proc/self || { echo "skipped: the processes are followed by /proc"; exit 0; }
 for package in mirai nanoparquet yyjsonr; do
