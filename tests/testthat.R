@@ -5,8 +5,10 @@
 if (requireNamespace("testthat", quietly = TRUE)) {
   library(testthat)
   library(rotdyn)
-  quick <- scan("quick.txt", "", comment.char = "#", quiet = TRUE)
-  some <- if (Sys.getenv("NOT_CRAN") != "true") paste0("^(", paste(quick, collapse = "|"), ")$")
+  some <- if (Sys.getenv("NOT_CRAN") != "true") {
+    quick <- scan("quick.txt", "", comment.char = "#", quiet = TRUE)
+    paste0("^(", paste(quick, collapse = "|"), ")$")
+  }
   blocks <- as.data.frame(test_check("rotdyn", filter = some, stop_on_failure = FALSE))
   failed <- blocks$failed > 0 | blocks$error
   skipped <- !failed & blocks$skipped & blocks$passed == 0
