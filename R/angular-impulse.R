@@ -47,7 +47,7 @@
 #' )
 #' @export
 angular_impulse <- function(torque, from_s = -Inf, to_s = Inf, ..., body = NULL, instants = NULL) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_supplied("torque", call)
   check_no_dots(...)
   law <- if (is.data.frame(torque)) {

@@ -148,7 +148,7 @@ print.rot_animation <- function(x, ...) {
     if (nzchar(speed)) paste0(", ", speed), "\n", sep = ""
   )
   cat("  A file of it: animate_motion(motion, \"motion.html\"), .gif, .mp4 or .webm.\n")
-  if (interactive()) show_page(format(x), rlang::current_env())
+  if (interactive()) show_page(format(x), current_env())
   invisible(x)
 }
 

@@ -50,18 +50,18 @@
 #' wheel$terms[[1]]
 #' @export
 audit <- function(x, ...) {
-  if (missing(x)) check_supplied("x", rlang::current_env())
+  if (missing(x)) check_supplied("x", current_env())
   UseMethod("audit")
 }
 
 #' @export
 audit.default <- function(x, ...) {
-  check_class(x, "rot_trajectory", "x", "{.fn trajectory} gives one.", rlang::current_env())
+  check_class(x, "rot_trajectory", "x", "{.fn trajectory} gives one.", current_env())
 }
 
 #' @export
 audit.rot_trajectory <- function(x, ...) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_no_dots(...)
   run <- check_trajectory(x, "x", call)
   audit <- new_audit(balances_of(x, run, call))
@@ -153,7 +153,7 @@ no_balance <- function(name, about, unit) {
 
 #' @export
 print.rot_audit <- function(x, ..., digits = 4) {
-  call <- rlang::current_env()
+  call <- current_env()
   digits <- check_number(digits, "digits", "1", call, lower = 1, upper = 22)
   if (!all(audit_columns %in% names(x))) {
     print(drop_class(x, "rot_audit"), ...)

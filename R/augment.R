@@ -28,7 +28,7 @@
 #' @rawNamespace export(augment)
 #' @export
 augment.rot_trajectory <- function(x, ...) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_no_dots(...)
   run <- check_trajectory(x, "x", call)
   constraint <- constraint_of(run$scene)
@@ -70,11 +70,11 @@ set_default_verbs <- function() {
 }
 
 augment_unknown <- function(x, ...) {
-  abort_unknown(x, "a trajectory, an estimate or a fit", rlang::current_env())
+  abort_unknown(x, "a trajectory, an estimate or a fit", current_env())
 }
 
 glance_unknown <- function(x, ...) {
-  abort_unknown(x, "a trajectory, an equilibrium, an estimate or a fit", rlang::current_env())
+  abort_unknown(x, "a trajectory, an equilibrium, an estimate or a fit", current_env())
 }
 
 abort_unknown <- function(x, known, call) {

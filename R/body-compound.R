@@ -129,7 +129,7 @@ place_detail <- function(detail, turn, at_m) {
 #' @rdname compound
 #' @export
 join_bodies <- function(..., name = "compound") {
-  call <- rlang::current_env()
+  call <- current_env()
   parts <- flatten_bodies(list(...), call)
   name <- check_name(name, "name", call)
   if (!length(parts)) abort_rotdyn("{.fn join_bodies} needs at least one body.", "missing", call)

@@ -129,7 +129,7 @@ read_data <- function(data, mass_kg = NULL, name = "points") {
 }
 
 read_joined <- function(bodies, name = "compound") {
-  call <- rlang::current_env()
+  call <- current_env()
   check_supplied("bodies", call)
   if (!is.list(bodies) || is.object(bodies)) {
     abort_rotdyn("{.field bodies} must be a list of bodies.", "type", call)
@@ -159,7 +159,7 @@ read_body <- function(shape, mass_kg, centre_m, second_moment_kg_m2, size_m = NU
                       provenance = "tensor", method = NULL, error = NA_real_,
                       error_kind = "estimate", centre_error_m = NULL, frame_at_m = NULL,
                       frame_turn = NULL) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_supplied(c("shape", "mass_kg", "centre_m", "second_moment_kg_m2"), call)
   shape <- check_name(shape, "shape", call)
   mass <- check_number(mass_kg, "mass_kg", "kg", call, 0)

@@ -102,7 +102,7 @@ describe_point <- function(body, through) {
 
 #' @export
 print.rot_body <- function(x, ...) {
-  check_body(x, rlang::current_env(), "x")
+  check_body(x, current_env(), "x")
   cat("<rot_body> ", x$shape, "\n", sep = "")
   size <- if (length(x$size_m)) {
     paste0(", ", paste0(names(x$size_m), " = ", format_si(x$size_m), collapse = ", "))

@@ -56,7 +56,7 @@ cli_run_sweep <- function(words, options, state) {
 
 # sweep_resume() without reading rows.
 cli_complete_sweep <- function(folder, threads, trust) {
-  call <- rlang::current_env()
+  call <- current_env()
   threads <- check_threads(threads, call)
   plan <- open_sweep(folder, trust, call)
   check_canary(plan, folder, call)

@@ -55,7 +55,7 @@ cli_table <- function(lines) {
     abort_input("it is no table with commas: ", conditionMessage(table))
   }
   if (!nrow(table)) abort_input("it has no row below its names")
-  tibble::as_tibble(table, .name_repair = "minimal")
+  new_table(table)
 }
 
 # Scenes: named list. A file has one scene, or one in each line (JSON lines). Without a file, an
@@ -557,7 +557,7 @@ cli_list_verbs <- function() {
     plain("shapes", "the standard shapes, with their formulas", function() shapes()),
     plain("models", "every model, with its equations and limits", function() models()),
     plain("columns", "the columns of all tables: unit, meaning", function() {
-      tibble::as_tibble(column_table())
+      new_table(column_table())
     }),
     cli_verb(
       "metadata", "[TABLE]", c(0, 1),

@@ -203,20 +203,20 @@ speed_range <- function(fit) {
 #' compare_laws(fit_coast_down(samples))
 #' @export
 compare_laws <- function(fit, ...) {
-  if (missing(fit)) check_supplied("fit", rlang::current_env())
+  if (missing(fit)) check_supplied("fit", current_env())
   UseMethod("compare_laws")
 }
 
 #' @export
 compare_laws.default <- function(fit, ...) {
   check_class(fit, "rot_coast_fit", "fit", "Make one with {.fn fit_coast_down} or {.fn fit_scene}.",
-              rlang::current_env())
+              current_env())
 }
 
 #' @rdname compare_laws
 #' @export
 compare_laws.rot_coast_fit <- function(fit, ...) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_no_dots(...)
   fit <- coast_fit(fit, "fit", call)
   sets <- lapply(1:7, function(set) coast_losses[bitwAnd(set, c(1L, 2L, 4L)) > 0])
@@ -282,20 +282,20 @@ compare_laws.rot_coast_fit <- function(fit, ...) {
 #' residual_tests(fit_coast_down(samples, losses = "coulomb"))
 #' @export
 residual_tests <- function(fit, ...) {
-  if (missing(fit)) check_supplied("fit", rlang::current_env())
+  if (missing(fit)) check_supplied("fit", current_env())
   UseMethod("residual_tests")
 }
 
 #' @export
 residual_tests.default <- function(fit, ...) {
   check_class(fit, "rot_coast_fit", "fit", "Make one with {.fn fit_coast_down} or {.fn fit_scene}.",
-              rlang::current_env())
+              current_env())
 }
 
 #' @rdname residual_tests
 #' @export
 residual_tests.rot_coast_fit <- function(fit, ...) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_no_dots(...)
   fit <- coast_fit(fit, "fit", call)
   below <- loss_below(fit)

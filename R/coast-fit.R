@@ -155,7 +155,7 @@ falling_weight_form <- list(
 
 #' @export
 print.rot_falling_weight <- function(x, ...) {
-  check_form(x, falling_weight_form, "x", "falling weight", rlang::current_env())
+  check_form(x, falling_weight_form, "x", "falling weight", current_env())
   or <- function(value, unit) if (is.na(value)) "fitted" else paste(format_si(value), unit)
   cat(
     "<rot_falling_weight> mass ", or(x$mass_kg, "kg"), ", drum ", or(x$radius_m, "m"),

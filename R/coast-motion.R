@@ -44,7 +44,7 @@ dplyr_reconstruct.rot_coast_fit <- function(data, template) {
   reconstruct_fit(out, template)
 }
 
-#' @export
+#' @exportS3Method tibble::as_tibble
 as_tibble.rot_coast_fit <- function(x, ...) {
   attr(x, "fit") <- NULL
   class(x) <- setdiff(class(x), "rot_coast_fit")
@@ -159,7 +159,7 @@ band <- function(derivative, spread) {
 #' generics::glance(fit)
 #' @export
 predict.rot_coast_fit <- function(object, time_s = NULL, ..., run = 1, level = NULL) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_no_dots(...)
   fit <- coast_fit(object, "object", call)
   i <- check_run(run, fit, call)
@@ -196,7 +196,7 @@ predict.rot_coast_fit <- function(object, time_s = NULL, ..., run = 1, level = N
 #' @rdname predict.rot_coast_fit
 #' @export
 augment.rot_coast_fit <- function(x, ...) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_no_dots(...)
   fit <- coast_fit(x, "x", call)
   parts <- lapply(seq_along(fit$runs), function(i) {
@@ -244,7 +244,7 @@ summary.rot_coast_fit <- function(object, ...) {
 #' @rdname predict.rot_coast_fit
 #' @export
 glance.rot_coast_fit <- function(x, ...) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_no_dots(...)
   fit <- coast_fit(x, "x", call)
   first <- fit$runs[[1]]
@@ -301,7 +301,7 @@ runout_p <- function(run) {
 #' stopping(scene)
 #' @export
 as_scene <- function(x, ...) {
-  if (missing(x)) check_supplied("x", rlang::current_env())
+  if (missing(x)) check_supplied("x", current_env())
   UseMethod("as_scene")
 }
 
@@ -309,14 +309,14 @@ as_scene <- function(x, ...) {
 as_scene.default <- function(x, ...) {
   check_class(
     x, "rot_coast_fit", "x",
-    "Make one with {.fn fit_scene}, {.fn fit_coast_down} or {.fn fit_swing}.", rlang::current_env()
+    "Make one with {.fn fit_scene}, {.fn fit_coast_down} or {.fn fit_swing}.", current_env()
   )
 }
 
 #' @rdname as_scene
 #' @export
 as_scene.rot_coast_fit <- function(x, ..., run = 1) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_no_dots(...)
   fit <- coast_fit(x, "x", call)
   i <- check_run(run, fit, call)

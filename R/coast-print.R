@@ -79,7 +79,7 @@ coast_pairs <- function(fit) {
 
 #' @export
 print.rot_coast_fit <- function(x, ...) {
-  fit <- coast_fit(x, "x", rlang::current_env())
+  fit <- coast_fit(x, "x", current_env())
   writeLines(coast_words(x, fit))
   invisible(x)
 }

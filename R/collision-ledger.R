@@ -100,7 +100,7 @@ collision_ledger <- function(x, row = 1, about = NULL, ...) {
 
 #' @export
 audit.rot_collision <- function(x, row = 1, about = NULL, ...) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_no_dots(...)
   collision <- check_collision(x, call)
   row <- check_number(row, "row", "1", call, lower = 1, upper = max(1, nrow(x)))
@@ -279,7 +279,7 @@ draw_ledger <- function(x, collision, i, about, call) {
 
 #' @export
 print.rot_ledger <- function(x, ..., digits = 4) {
-  call <- rlang::current_env()
+  call <- current_env()
   digits <- check_number(digits, "digits", "1", call, lower = 1, upper = 22)
   energies <- attr(x, "energies")
   if (!all(ledger_columns %in% names(x)) || is.null(energies)) {
@@ -324,7 +324,7 @@ ledger_verdict <- function(verdict) {
 #' @rdname conserved
 #' @export
 conserved.rot_collision <- function(x, row = 1, about = NULL, ...) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_no_dots(...)
   collision <- check_collision(x, call)
   row <- check_number(row, "row", "1", call, lower = 1, upper = max(1, nrow(x)))

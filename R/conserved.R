@@ -35,7 +35,7 @@
 #' conserved(bounce, about = "the centre")
 #' @export
 conserved <- function(x, ...) {
-  if (missing(x)) check_supplied("x", rlang::current_env())
+  if (missing(x)) check_supplied("x", current_env())
   UseMethod("conserved")
 }
 
@@ -43,13 +43,13 @@ conserved <- function(x, ...) {
 conserved.default <- function(x, ...) {
   check_class(
     x, "rot_scene", "x", "{.fn scene_axle} makes one; a trajectory or a collision will do, too.",
-    rlang::current_env()
+    current_env()
   )
 }
 
 #' @export
 conserved.rot_scene <- function(x, ...) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_no_dots(...)
   check_scene(x, call)
   conserved_table(statements_of(x))
@@ -57,7 +57,7 @@ conserved.rot_scene <- function(x, ...) {
 
 #' @export
 conserved.rot_trajectory <- function(x, ...) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_no_dots(...)
   conserved_table(statements_of(check_trajectory(x, "x", call)$solved))
 }

@@ -66,6 +66,8 @@ constraint_list <- function() {
   joined$listed <- vapply(listed, function(constraint) constraint$scene_class, "")
   set_default_verbs()
   register_plots()
+  # Its methods print our tables. Commands of the shell print lines of their own.
+  if (!isFALSE(getOption("rotdyn.tables"))) loadNamespace("tibble")
 }
 
 # Constraints of the C core (src/core/scene/choice.c) have their effects and their models' promises

@@ -204,7 +204,7 @@ summary.rot_curve_motion <- function(object, ...) {
   ), nrow = 1L)
 }
 
-#' @export
+#' @exportS3Method tibble::tbl_sum
 tbl_sum.rot_curve_motion <- function(x, ...) {
   run <- attr(x, "run")
   if (is.null(run) || !is.null(.Call(ffi_form_fault, run, curve_run_form))) {

@@ -73,7 +73,7 @@ NULL
 #' @rdname designs
 #' @export
 design_grid <- function(...) {
-  new_design("grid", 1, list(...), NULL, rlang::current_env())
+  new_design("grid", 1, list(...), NULL, current_env())
 }
 
 #' @rdname designs
@@ -93,7 +93,7 @@ design_list <- function(data, ...) {
 #' @rdname designs
 #' @export
 design_random <- function(n, ..., seed) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_drawn(call)
   new_design("random", n, list(...), seed, call)
 }
@@ -101,7 +101,7 @@ design_random <- function(n, ..., seed) {
 #' @rdname designs
 #' @export
 design_latin <- function(n, ..., seed) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_drawn(call)
   new_design("latin", n, list(...), seed, call)
 }
@@ -109,7 +109,7 @@ design_latin <- function(n, ..., seed) {
 #' @rdname designs
 #' @export
 design_sobol <- function(n, ..., seed = NULL) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_drawn(call)
   new_design("sobol", n, list(...), seed, call)
 }
@@ -117,7 +117,7 @@ design_sobol <- function(n, ..., seed = NULL) {
 #' @rdname designs
 #' @export
 design_saltelli <- function(n, ..., seed) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_drawn(call)
   new_design("saltelli", n, list(...), seed, call)
 }
@@ -139,7 +139,7 @@ design_rows <- function(design, first = 1, n = 6, ...) {
 #' @rdname designs
 #' @export
 print.rot_design <- function(x, ...) {
-  size <- check_design(x, "x", rlang::current_env())
+  size <- check_design(x, "x", current_env())
   count <- function(n) format(n, big.mark = ",", scientific = FALSE)
   cat("<rot_design> ", design_words[[x$kind]], ", ", count(size), " row", if (size != 1) "s",
       if (x$kind == "saltelli") paste0(" of ", count(x$n), " base points"),

@@ -166,7 +166,7 @@ new_domain <- function(kind, size_m = numeric(), centre_m = c(0, 0, 0), chart,
 
 #' @export
 print.rot_domain <- function(x, ...) {
-  check_form(x, domain_form, "x", "domain", rlang::current_env())
+  check_form(x, domain_form, "x", "domain", current_env())
   size <- if (length(x$size_m)) {
     paste0(": ", paste0(names(x$size_m), " = ", format_si(x$size_m), collapse = ", "))
   }

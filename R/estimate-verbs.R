@@ -63,7 +63,7 @@ check_estimate <- function(x, arg, call) {
 #' predict(motion, c(0.51, 2.1))[, c("time_s", "omega_rad_per_s", "omega_se_rad_per_s")]
 #' @export
 predict.rot_estimate <- function(object, time_s, ..., segment = NULL) {
-  call <- rlang::current_env()
+  call <- current_env()
   if (missing(time_s)) check_supplied("time_s", call)
   check_no_dots(...)
   fit <- check_estimate(object, "object", call)
@@ -128,7 +128,7 @@ summary.rot_estimate <- function(object, ...) {
 #' @param x A `rot_estimate`.
 #' @export
 glance.rot_estimate <- function(x, ...) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_no_dots(...)
   fit <- check_estimate(x, "x", call)
   scatter <- estimate_scatter(fit)
@@ -158,7 +158,7 @@ estimate_scatter <- function(fit) {
 #' @rdname estimate_motion
 #' @export
 augment.rot_estimate <- function(x, ...) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_no_dots(...)
   fit <- check_estimate(x, "x", call)
   if (nrow(x) != length(fit$data$time_s) || !identical(x[["time_s"]], fit$data$time_s)) {
@@ -301,7 +301,7 @@ check_no_losses <- function(x, call) {
   }
 }
 
-#' @export
+#' @exportS3Method tibble::tbl_sum
 tbl_sum.rot_estimate <- function(x, ...) {
   size <- c("A measured motion" = paste(format(nrow(x), big.mark = ","), "x", ncol(x)))
   fit <- attr(x, "estimate")
@@ -408,5 +408,5 @@ dplyr_reconstruct.rot_estimate <- function(data, template) {
 #' @export
 motion_events.rot_estimate <- function(x, ...) {
   check_no_dots(...)
-  check_estimate(x, "x", rlang::current_env())$events
+  check_estimate(x, "x", current_env())$events
 }

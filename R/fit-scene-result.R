@@ -301,13 +301,13 @@ predict.rot_fit <- function(object, time_s, ..., record = 1) {
 
 #' @export
 coef.rot_fit <- function(object, ...) {
-  fit <- fit_of(object, rlang::current_env(), "object")
+  fit <- fit_of(object, current_env(), "object")
   stats::setNames(fit$found$x, fit$about$parameters$name)
 }
 
 #' @export
 vcov.rot_fit <- function(object, ...) {
-  fit <- fit_of(object, rlang::current_env(), "object")
+  fit <- fit_of(object, current_env(), "object")
   p <- fit$about$parameters
   scale <- ifelse(p$log, fit$found$x, 1)
   spread <- fit$spread * outer(scale, scale)

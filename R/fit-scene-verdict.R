@@ -102,7 +102,7 @@ worst_time <- function(time_s, residual) {
 #' @rdname residual_tests
 #' @export
 residual_tests.rot_fit <- function(fit, ...) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_no_dots(...)
   table_from(verdict_rows(fit_of(fit, call, "fit")))
 }
@@ -110,7 +110,7 @@ residual_tests.rot_fit <- function(fit, ...) {
 #' @rdname compare_laws
 #' @export
 compare_laws.rot_fit <- function(fit, ...) {
-  call <- rlang::current_env()
+  call <- current_env()
   fits <- list(fit, ...)
   said <- vapply(unname(as.list(substitute(list(fit, ...)))[-1L]), rlang::as_label, "")
   named <- rlang::have_name(fits)

@@ -490,7 +490,7 @@ print_loss <- function(name, x, unit) {
 #' @rdname fit_swing
 #' @export
 print.rot_swing_fit <- function(x, ...) {
-  check_swing_fit(x, "x", rlang::current_env())
+  check_swing_fit(x, "x", current_env())
   used <- sum(x$swings$used)
   shown <- x$swings$amplitude_rad[if (used) x$swings$used else TRUE]
   cat(

@@ -48,7 +48,7 @@ incline_parameters <- list(
 #' incline_table(lanes, time_s = 3)
 #' @export
 incline_table <- function(parameters, time_s = NULL, ..., threads = 1) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_supplied("parameters", call)
   check_no_dots(...)
   check_parameters(parameters, call)

@@ -318,7 +318,7 @@ inertia_measured_form <- list(
 #' @rdname inertia_swing
 #' @export
 print.rot_inertia_measured <- function(x, ...) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_measured(x, "x", call)
   check_form(unclass(x), inertia_measured_form, "x", "measured moment of inertia", call)
   if (!is.null(x$centre)) check_measured(x$centre, "x", call)

@@ -169,7 +169,7 @@ as_axes <- function(axes, body, call) {
 
 #' @export
 print.rot_inertia_tensor <- function(x, ...) {
-  check_inertia_tensor(x, "x", rlang::current_env())
+  check_inertia_tensor(x, "x", current_env())
   about <- switch(attr(x, "about"),
     centre = "the centre of mass",
     origin = "the origin of the own axes",

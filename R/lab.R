@@ -220,7 +220,7 @@ print.rot_lab <- function(x, ...) {
   cat("  ", what, if (!is.null(state$end)) paste0(", up to ", format_si(state$end), " s"), "\n",
       sep = "")
   cat("  A file of it: lab(scene, \"lab.html\").\n")
-  if (interactive()) show_page(format(x), rlang::current_env())
+  if (interactive()) show_page(format(x), current_env())
   invisible(x)
 }
 
@@ -235,7 +235,7 @@ lab_dependency <- function() {
     from <- which(lines == "<script id=\"rotdyn-lab\">")[1]
     to <- which(lines == "</script>")
     dir.create(folder, showWarnings = FALSE)
-    write_file(lines[seq(from + 1L, min(to[to > from]) - 1L)], path, rlang::current_env())
+    write_file(lines[seq(from + 1L, min(to[to > from]) - 1L)], path, current_env())
   }
   structure(
     list(

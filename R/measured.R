@@ -192,12 +192,12 @@ shares_matrix <- function(given) {
 
 #' @rdname measured
 #' @export
-as.double.rot_measured <- function(x, ...) check_measured(x, "x", rlang::current_env())$value
+as.double.rot_measured <- function(x, ...) check_measured(x, "x", current_env())$value
 
 #' @rdname measured
 #' @export
 c.rot_measured <- function(...) {
-  call <- rlang::current_env()
+  call <- current_env()
   values <- lapply(list(...), function(x) {
     if (inherits(x, "rot_measured")) check_measured(x, "...", call)$value else x
   })
@@ -207,7 +207,7 @@ c.rot_measured <- function(...) {
 #' @rdname measured
 #' @export
 format.rot_measured <- function(x, digits = 2, ...) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_measured(x, "x", call)
   digits <- floor(check_number(digits, "digits", "1", call, lower = 1, upper = 15))
   format_concise(x$value, x$u, digits)
@@ -216,7 +216,7 @@ format.rot_measured <- function(x, digits = 2, ...) {
 #' @rdname measured
 #' @export
 print.rot_measured <- function(x, ...) {
-  check_measured(x, "x", rlang::current_env())
+  check_measured(x, "x", current_env())
   cat(x$name, " = ", format(x), if (is.finite(x$dof) && x$u > 0) {
     paste0("  (", format(x$dof, digits = 3), " degrees of freedom)")
   }, "\n", sep = "")
@@ -257,7 +257,7 @@ format_concise <- function(value, u, digits = 2) {
 #' @rdname measured
 #' @export
 Ops.rot_measured <- function(e1, e2) {
-  call <- rlang::current_env()
+  call <- current_env()
   if (missing(e2)) {
     check_measured(e1, "e1", call)
     if (!.Generic %in% c("+", "-")) abort_operator(.Generic, call)
@@ -294,7 +294,7 @@ Ops.rot_measured <- function(e1, e2) {
 #' @rdname measured
 #' @export
 Math.rot_measured <- function(x, ...) {
-  call <- rlang::current_env()
+  call <- current_env()
   v <- check_measured(x, "x", call)$value
   slope <- switch(.Generic,
     sqrt = 0.5 / sqrt(v), exp = exp(v), log = 1 / v, sin = cos(v), cos = -sin(v),

@@ -791,7 +791,7 @@ reconstruct_record <- function(data, template) {
 #' @exportS3Method dplyr::dplyr_reconstruct
 dplyr_reconstruct.rot_record <- function(data, template) reconstruct_record(data, template)
 
-#' @export
+#' @exportS3Method tibble::as_tibble
 as_tibble.rot_record <- function(x, ...) {
   attr(x, "record") <- NULL
   class(x) <- setdiff(class(x), "rot_record")
@@ -845,8 +845,7 @@ check_record <- function(x, arg, call, needs = c("theta_rad", "omega_rad_per_s",
 
 record_info <- function(x) attr(x, "record", exact = TRUE)
 
-#' @importFrom tibble tbl_sum
-#' @export
+#' @exportS3Method tibble::tbl_sum
 tbl_sum.rot_record <- function(x, ...) {
   info <- record_info(x)
   size <- c("A rotdyn record" = paste(format(nrow(x), big.mark = ","), "x", ncol(x)))

@@ -42,7 +42,7 @@
 autoplot.rot_trajectory <- function(object, ..., units = NULL, panels = NULL, by = NULL,
                                     base_size = 13) {
   call <- check_plot(base_size, ...)
-  run <- check_trajectory(object, "object", rlang::current_env())
+  run <- check_trajectory(object, "object", current_env())
   parts <- split_runs(object, run, by, call)
   plot_runs(parts, units, panels, base_size, call)
 }
@@ -72,7 +72,7 @@ autoplot.rot_trajectory <- function(object, ..., units = NULL, panels = NULL, by
 #' }
 #' @export
 compare_runs <- function(...) {
-  call <- rlang::current_env()
+  call <- current_env()
   runs <- list(...)
   if (length(runs) == 1L && is.list(runs[[1]]) && !is.data.frame(runs[[1]])) runs <- runs[[1]]
   if (!length(runs)) abort_rotdyn("{.fn compare_runs} needs trajectories.", "missing", call)

@@ -168,7 +168,7 @@ range_in_words <- function(x, digits = 3) {
 
 # plot() of a class that has autoplot() draws that picture, instead of pairs of columns.
 plot_by_autoplot <- function(x, ...) {
-  need_package("ggplot2", "A plot", rlang::current_env())
+  need_package("ggplot2", "A plot", current_env())
   picture <- ggplot2::autoplot(x, ...)
   print(picture)
   invisible(picture)

@@ -155,7 +155,7 @@ check_pooled_periods <- function(x, arg, call) {
 #' @rdname pool_periods
 #' @export
 print.rot_pooled_periods <- function(x, ...) {
-  check_pooled_periods(x, "x", rlang::current_env())
+  check_pooled_periods(x, "x", current_env())
   g <- x$groups
   cat("period ", format(x$period_s), " s from ", sum(g$status == "used"), " of ", nrow(g),
     " groups\n", sep = "")

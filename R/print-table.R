@@ -1,13 +1,32 @@
 # Tables that functions return, printed so that no name is abbreviated: one row upright, with units;
 # else the first columns that fit, and the names of the others.
 
-# A tibble of the package; `nrow = NULL`: as its first column; `...`: attributes.
+# A tibble of the package, without loading tibble; `nrow = NULL`: as its first column; `...`:
+# attributes.
 new_table <- function(x, nrow = NULL, class = NULL, ...) {
-  tibble::new_tibble(x, ..., nrow = nrow, class = c(class, "rot_table"))
+  x <- unclass(x)
+  n <- nrow %||% if (length(x)) NROW(x[[1L]]) else 0L
+  if (is.null(names(x))) names(x) <- character(length(x))
+  given <- list(
+    ...,
+    row.names = .set_row_names(as.integer(n)),
+    class = c(class, "rot_table", "tbl_df", "tbl", "data.frame")
+  )
+  all <- attributes(x)
+  all[names(given)] <- given
+  attributes(x) <- all
+  x
 }
 
-# As tibble::tibble().
-as_table <- function(...) table_from(tibble::tibble(...))
+# As tibble::tibble(), but that no column is made from another by its name.
+as_table <- function(...) {
+  columns <- Filter(Negate(is.null), list(...))
+  sizes <- vapply(columns, NROW, 0L)
+  n <- c(sizes[sizes != 1L], 1L)[1L]
+  if (any(sizes != n & sizes != 1L)) stop("internal: columns of other lengths")
+  if (n != 1L) columns[sizes == 1L] <- lapply(columns[sizes == 1L], rep_len, n)
+  new_table(columns, n)
+}
 
 # A data frame or a list of columns as a table of the package.
 table_from <- function(x, class = NULL) {
@@ -32,7 +51,6 @@ table_from <- function(x, class = NULL) {
 #' @examples
 #' period_of(scene_pendulum(body_rod(0.1, 1), 0.5, theta0_rad = 1))
 #' summary(spin_up())
-#' @importFrom tibble tbl_sum
 #' @export
 print.rot_table <- function(x, ..., n = NULL, width = NULL) {
   if (!is.null(width) || !length(x)) return(NextMethod())
@@ -48,7 +66,7 @@ print.rot_table <- function(x, ..., n = NULL, width = NULL) {
 # Motions and other tables with a head of their own, and lists of two columns with words, stay rows.
 is_upright <- function(x) {
   long <- length(x) > 2L || length(x) == 2L && all(vapply(unclass(x), is.numeric, NA))
-  nrow(x) == 1L && long && identical(names(tbl_sum(x)), "A tibble") &&
+  nrow(x) == 1L && long && identical(names(tibble::tbl_sum(x)), "A tibble") &&
     all(vapply(unclass(x), is.atomic, NA))
 }
 

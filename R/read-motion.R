@@ -73,7 +73,7 @@
 #' unlink(file)
 #' @export
 read_motion <- function(file, ...) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_supplied("file", call)
   bytes <- read_bytes(file, call)
   format <- motion_format(bytes, file, call)

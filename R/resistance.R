@@ -171,7 +171,7 @@ describe_resistance <- function(x) {
 
 #' @export
 print.rot_resistance <- function(x, ...) {
-  check_form(x, resistance_form, "x", "resistance", rlang::current_env())
+  check_form(x, resistance_form, "x", "resistance", current_env())
   cat("<rot_resistance> ", describe_resistance(x), "\n", sep = "")
   invisible(x)
 }

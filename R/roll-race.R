@@ -52,7 +52,7 @@ roll_race <- function(bodies = NULL, incline_angle_deg = 20, length_m = 1, ...,
                       radius_m = 0.1, static_friction = Inf, kinetic_friction = static_friction,
                       rolling_arm_m = 0, gravity_m_per_s2 = 9.80665, time_s = NULL,
                       frames = 61) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_no_dots(...)
   objects <- if (is.null(bodies)) rolling_objects() else rolling_bodies(bodies, "bodies", call)
   n <- nrow(objects)
@@ -147,7 +147,7 @@ summary.rot_race <- function(object, ...) {
   check_no_dots(...)
   race <- attr(object, "race", exact = TRUE)
   if (is.null(race)) {
-    abort_rotdyn("These rows are no race any more.", "type", rlang::current_env())
+    abort_rotdyn("These rows are no race any more.", "type", current_env())
   }
   starts <- race$starts
   order <- order(starts$finish_time_s)
@@ -171,8 +171,7 @@ summary.rot_race <- function(object, ...) {
   )
 }
 
-#' @importFrom tibble tbl_sum
-#' @export
+#' @exportS3Method tibble::tbl_sum
 tbl_sum.rot_race <- function(x, ...) {
   race <- attr(x, "race", exact = TRUE)
   size <- c("A race" = paste(format(nrow(x), big.mark = ","), "x", ncol(x)))

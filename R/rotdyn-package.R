@@ -45,8 +45,10 @@
 #' @keywords internal
 #' @useDynLib rotdyn, .registration = TRUE
 #' @importFrom generics glance augment
-#' @importFrom rlang .data
 "_PACKAGE"
+
+# The pronoun of aesthetics, which ggplot2 evaluates.
+utils::globalVariables(".data")
 
 # What users do, and the functions for it: inst/metadata/reference.csv, with * for any ending.
 reference_table <- function() {

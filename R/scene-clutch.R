@@ -46,7 +46,7 @@
 scene_clutch <- function(body_1, body_2, capacity_n_m, ..., static_capacity_n_m = capacity_n_m,
                          torque = NULL, resistance = NULL, brake = NULL, theta0_rad = 0,
                          omega0_rad_per_s = 0, engage_s = -Inf, start_s = 0) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_no_dots(...)
   if (is.numeric(torque) && length(torque) == 2L && !is.object(torque)) torque <- as.list(torque)
   stepped <- is.null(torque) || !is.list(torque) || is.object(torque) || length(torque) != 2L
@@ -82,7 +82,7 @@ torque_is_stepped <- function(torque) {
 
 #' @export
 print.rot_scene_clutch <- function(x, ...) {
-  check_scene(x, rlang::current_env())
+  check_scene(x, current_env())
   both <- function(values) paste(format_si(rep_len(values, 2)), collapse = ", ")
   engaged <- if (x$engage_s <= x$start_s) "engaged" else paste("engages at", x$engage_s, "s")
   cat(

@@ -71,7 +71,7 @@ coupling_shaft <- function(stiffness_n_m_per_rad, damping_n_m_s = 0, ratio = 1, 
 #' @export
 coupling_clutch <- function(capacity_n_m, ..., static_ratio = 1, ratio = 1, from_s = -Inf,
                             to_s = Inf) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_supplied("capacity_n_m", call)
   check_no_dots(...)
   friction <- new_friction(capacity_n_m, static_ratio, from_s, to_s, call)
@@ -94,7 +94,7 @@ coupling_gear <- function(ratio, ..., efficiency = 1) {
 #' @rdname couplings
 #' @export
 brake <- function(capacity_n_m, ..., static_ratio = 1, from_s = -Inf, to_s = Inf) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_supplied("capacity_n_m", call)
   check_no_dots(...)
   friction <- new_friction(capacity_n_m, static_ratio, from_s, to_s, call)
@@ -197,7 +197,7 @@ new_friction <- function(capacity, static_ratio, from_s, to_s, call) {
 #' @export
 scene_drive <- function(bodies, couplings = list(), ..., torque = NULL, resistance = NULL,
                         brake = NULL, theta0_rad = 0, omega0_rad_per_s = 0, start_s = 0) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_supplied("bodies", call)
   check_no_dots(...)
   inertia <- check_inertias(bodies, "bodies", call)
@@ -309,21 +309,21 @@ describe_coupling <- function(x) {
 
 #' @export
 print.rot_coupling <- function(x, ...) {
-  check_form(x, coupling_form, "x", "coupling", rlang::current_env())
+  check_form(x, coupling_form, "x", "coupling", current_env())
   cat("<rot_coupling> ", describe_coupling(x), "\n", sep = "")
   invisible(x)
 }
 
 #' @export
 print.rot_brake <- function(x, ...) {
-  check_form(x, brake_form, "x", "brake", rlang::current_env())
+  check_form(x, brake_form, "x", "brake", current_env())
   cat("<rot_brake> ", describe_friction(x), "\n", sep = "")
   invisible(x)
 }
 
 #' @export
 print.rot_scene_drive <- function(x, ...) {
-  check_scene(x, rlang::current_env())
+  check_scene(x, current_env())
   n <- length(x$moment_of_inertia_kg_m2)
   cat("<rot_scene> ", scene_title(x), " from ", format_si(x$start_s), " s\n", sep = "")
   for (i in seq_len(min(n, 8L))) {

@@ -319,7 +319,7 @@ hear_rates <- function(run, call) {
 
 #' @export
 print.rot_scene_equations <- function(x, ...) {
-  check_scene(x, rlang::current_env())
+  check_scene(x, current_env())
   states <- names(x$start)
   units <- vapply(states, unit_of_name, "")
   values <- paste0(states, " ", format_si(x$start), ifelse(units == "1", "", paste0(" ", units)))

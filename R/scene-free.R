@@ -170,7 +170,7 @@ new_principal <- function(moments, axes) {
 }
 
 read_principal <- function(moment_of_inertia_kg_m2, axes) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_supplied(c("moment_of_inertia_kg_m2", "axes"), call)
   moments <- check_finite(moment_of_inertia_kg_m2, "moment_of_inertia_kg_m2", "kg*m^2", call)
   if (length(moments) != 3L) abort_size_of(moments, "moment_of_inertia_kg_m2", 3L, call)
@@ -343,7 +343,7 @@ check_spin <- function(scene, inertia, call) {
 
 #' @export
 print.rot_scene_free <- function(x, ...) {
-  check_scene(x, rlang::current_env())
+  check_scene(x, current_env())
   numbers <- function(v) paste(format_si(v), collapse = ", ")
   cat(
     "<rot_scene> ", scene_title(x), "\n",

@@ -64,7 +64,7 @@ describe_shafts <- function(train) {
 
 #' @export
 print.rot_scene_gears <- function(x, ...) {
-  check_scene(x, rlang::current_env())
+  check_scene(x, current_env())
   train <- train_of_scene(x)
   law <- attr(train, "law")
   print_axle(

@@ -83,7 +83,7 @@ hanging_title <- function(scene) {
 
 #' @export
 print.rot_scene_hanging_mass <- function(x, ...) {
-  check_scene(x, rlang::current_env())
+  check_scene(x, current_env())
   whole <- inherits(x$body, "rot_body")
   own <- if (whole) moment_about_axis(x$body, x$axis) else x$body
   masses <- masses_of(x)

@@ -177,7 +177,7 @@ rolling_radius <- function(body, inertia, call) {
 
 #' @export
 print.rot_scene_incline <- function(x, ...) {
-  check_scene(x, rlang::current_env())
+  check_scene(x, current_env())
   beta <- x$moment_of_inertia_kg_m2 / x$mass_kg / x$radius_m^2
   cat(
     "<rot_scene> ", scene_title(x), "\n",

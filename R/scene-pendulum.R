@@ -71,7 +71,7 @@ check_names_axle <- function(body, axis, call) {
 
 #' @export
 print.rot_scene_pendulum <- function(x, ...) {
-  check_scene(x, rlang::current_env())
+  check_scene(x, current_env())
   print_axle(x, scene_title(x), paste0(
     describe_moment(x), " the axle, ", format_si(x$distance_m), " m from the centre of mass"
   ))

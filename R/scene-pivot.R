@@ -149,7 +149,7 @@ pivot_inertia <- function(body, pivot_m, mass_kg, centre_m, call) {
 
 #' @export
 print.rot_scene_pivot <- function(x, ...) {
-  check_scene(x, rlang::current_env())
+  check_scene(x, current_env())
   numbers <- function(v) paste(format_si(v), collapse = ", ")
   cat(
     "<rot_scene> ", scene_title(x), "\n",

@@ -50,7 +50,7 @@
 scene_rotors <- function(bodies, stiffness_n_m_per_rad, damping_n_m_s = 0, ..., torque = 0,
                          resistance = 0, brake = NULL, theta0_rad = 0, omega0_rad_per_s = 0,
                          start_s = 0) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_supplied(c("bodies", "stiffness_n_m_per_rad"), call)
   check_no_dots(...)
   inertia <- check_inertias(bodies, "bodies", call)
@@ -204,7 +204,7 @@ check_torque_each <- function(x, arg, size, call) {
 
 #' @export
 print.rot_scene_rotors <- function(x, ...) {
-  check_scene(x, rlang::current_env())
+  check_scene(x, current_env())
   list_of <- function(values) {
     # One value where all are equal, else each in its place.
     if (length(unique(values)) == 1L) values <- values[1]

@@ -143,7 +143,7 @@ given_resistance <- function(scene) .subset2(scene, "resistance") %||% new_resis
 
 #' @export
 print.rot_scene_axle <- function(x, ...) {
-  check_scene(x, rlang::current_env())
+  check_scene(x, current_env())
   body <- .subset2(x, "body")
   turns <- changing_inertia(x)
   print_axle(

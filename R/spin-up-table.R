@@ -51,7 +51,7 @@ spin_up_parameters <- list(
 #' @export
 spin_up_table <- function(parameters, torque = NULL, time_s = NULL, ..., start_s = 0,
                           threads = 1) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_supplied("parameters", call)
   check_no_dots(...)
   check_parameters(parameters, call)

@@ -178,7 +178,7 @@ glance.rot_equilibrium <- function(x, ...) {
   summary(x)
 }
 
-#' @export
+#' @exportS3Method tibble::tbl_sum
 tbl_sum.rot_equilibrium <- function(x, ...) {
   rest <- attr(x, "rest")
   if (is.null(rest) || !is.null(.Call(ffi_form_fault, rest, rest_form))) {

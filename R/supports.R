@@ -117,7 +117,7 @@ support_rod <- function(at_m, to_m, ..., name = "rod") {
 
 #' @export
 print.rot_support <- function(x, ...) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_form(x, support_form, "x", "support", call)
   if (!support_is_whole(x)) abort_form("kind", "x", "support", call)
   point <- function(p) paste0("(", paste(format_si(p), collapse = ", "), ") m")

@@ -207,7 +207,7 @@ plan_of_record <- function(x) {
     canary = x$canary, version = x$version, made = x$made, code = x$code,
     code_hash = x$code_hash
   )
-  call <- rlang::current_env()
+  call <- current_env()
   check_design(plan$design, "design", call)
   if (!is.null(x$scene)) {
     scene <- x$scene

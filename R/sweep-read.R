@@ -83,7 +83,7 @@ read_sweep <- function(plan, folder, rows, call) {
   new_sweep(plan, read_rows(plan, folder, kept, about, rows, call), whole, folder)
 }
 
-#' @export
+#' @exportS3Method tibble::tbl_sum
 tbl_sum.rot_sweep <- function(x, ...) {
   sweep <- attr(x, "sweep", exact = TRUE)
   if (is.null(sweep$whole)) return(NextMethod())

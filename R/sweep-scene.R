@@ -118,7 +118,7 @@ outputs_of_motion <- function(motion, outputs) {
 
 # NaN where there is none in closed form.
 period_of_row <- function(scene, constraint) {
-  tryCatch(constraint$periods(scene, rlang::current_env())$period_s[1],
+  tryCatch(constraint$periods(scene, current_env())$period_s[1],
            rotdyn_error_model = function(e) NaN)
 }
 

@@ -31,7 +31,7 @@
 #' as_scene(fit)
 #' @export
 predict.rot_swing_fit <- function(object, time_s = NULL, ..., level = 0.95) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_no_dots(...)
   check_swing_motion(object, "object", call)
   level <- check_number(level, "level", "1", call, 0, 1, TRUE)
@@ -87,7 +87,7 @@ swing_rows <- function(x, time_s, call) {
 #' @rdname predict.rot_swing_fit
 #' @export
 augment.rot_swing_fit <- function(x, ...) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_no_dots(...)
   check_swing_motion(x, "x", call)
   fitted <- swing_rows(x, x$samples$time_s, call)$value
@@ -106,7 +106,7 @@ summary.rot_swing_fit <- function(object, ...) {
 #' @rdname predict.rot_swing_fit
 #' @export
 glance.rot_swing_fit <- function(x, ...) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_no_dots(...)
   check_swing_fit(x, "x", call)
   numbers <- c(
@@ -133,7 +133,7 @@ glance.rot_swing_fit <- function(x, ...) {
 #' @rdname as_scene
 #' @export
 as_scene.rot_swing_fit <- function(x, ..., inertia = 1) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_no_dots(...)
   check_swing_motion(x, "x", call)
   inertia <- as_measured(inertia, "inertia", "kg*m^2", call, 0, open = TRUE)$value

@@ -158,7 +158,7 @@ describe_input <- function(x) {
 
 #' @export
 print.rot_scene <- function(x, ...) {
-  check_scene(x, rlang::current_env())
+  check_scene(x, current_env())
   constraint <- constraint_of(x)
   cat("<rot_scene> ", scene_title(x), "\n", sep = "")
   given <- Filter(Negate(is.null), unclass(x)[names(constraint$inputs)])

@@ -33,7 +33,7 @@
 #' time_when(swing, omega_rad_per_s = 0, occurrence = "all", until_s = 6)
 #' @export
 time_when <- function(x, ..., occurrence = c("first", "all"), until_s = NULL, accuracy = 1e-9) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_supplied("x", call)
   occurrence <- if (missing(occurrence)) {
     "first"

@@ -214,7 +214,7 @@ torque_polynomial <- function(breaks_s, coefficients, ...) {
 #' @export
 torque_sinusoid <- function(amplitude_n_m, angular_frequency_rad_per_s, phase_rad = 0, ...,
                             from_s = -Inf, to_s = Inf) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_supplied(c("amplitude_n_m", "angular_frequency_rad_per_s"), call)
   check_no_dots(...)
   window <- check_window(from_s, to_s, call)
@@ -235,7 +235,7 @@ torque_sinusoid <- function(amplitude_n_m, angular_frequency_rad_per_s, phase_ra
 #' @rdname torque-terms
 #' @export
 torque_exponential <- function(torque_n_m, decay_per_s, ..., from_s = 0, to_s = Inf) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_supplied(c("torque_n_m", "decay_per_s"), call)
   check_no_dots(...)
   from_s <- check_number(from_s, "from_s", "s", call)
@@ -307,7 +307,7 @@ torque_spring <- function(stiffness_n_m_per_rad, rest_rad = 0, ...) {
 #' @rdname torque-terms
 #' @export
 torque_gravity <- function(mass_kg, distance_m, rest_rad = 0, ..., gravity_m_per_s2 = 9.80665) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_supplied(c("mass_kg", "distance_m"), call)
   check_no_dots(...)
   m <- check_number(mass_kg, "mass_kg", "kg", call, lower = 0)

@@ -47,7 +47,7 @@ text_node.rot_torque_knots <- function(x, where, call) {
 
 # As torque_knots(), with what other laws make of knots: a single one, two numbers outside.
 read_knots <- function(time_s, torque_n_m, outside = "zero") {
-  call <- rlang::current_env()
+  call <- current_env()
   check_supplied(c("time_s", "torque_n_m"), call)
   if (is.character(outside)) return(torque_knots(time_s, torque_n_m, outside = outside))
   outside <- check_finite(outside, "outside", "N*m", call)
@@ -84,7 +84,7 @@ text_node.rot_torque_sum <- function(x, where, call) {
 }
 
 read_sum <- function(laws) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_supplied("laws", call)
   if (is.numeric(laws)) laws <- as.list(laws)
   if (!is.list(laws) || is.object(laws)) {
@@ -132,7 +132,7 @@ term_texts <- function() {
 }
 
 read_term <- function(kind, x, text, from_s = -Inf, to_s = Inf, breaks_s = numeric()) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_supplied(c("kind", "x", "text"), call)
   window <- check_window(from_s, to_s, call)
   kind <- check_string(kind, "kind", term_kinds, call)

@@ -235,7 +235,7 @@ describe_torque <- function(torque) {
 
 #' @export
 print.rot_torque <- function(x, ...) {
-  check_form(x, torque_form, "x", "torque law", rlang::current_env())
+  check_form(x, torque_form, "x", "torque law", current_env())
   cat("<rot_torque> ", describe_torque(x), "\n", sep = "")
   invisible(x)
 }

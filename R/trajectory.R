@@ -466,18 +466,16 @@ dplyr_reconstruct.rot_trajectory <- function(data, template) {
   reconstruct_trajectory(data, template)
 }
 
-#' @importFrom tibble as_tibble
-#' @export
+#' @exportS3Method tibble::as_tibble
 as_tibble.rot_trajectory <- function(x, ...) {
   attr(x, "run") <- NULL
   class(x) <- setdiff(class(x), "rot_trajectory")
   tibble::as_tibble(x, ...)
 }
 
-#' @importFrom tibble tbl_sum
-#' @export
+#' @exportS3Method tibble::tbl_sum
 tbl_sum.rot_trajectory <- function(x, ...) {
-  run <- check_trajectory(x, "x", rlang::current_env())
+  run <- check_trajectory(x, "x", current_env())
   ends <- constraint_of(run$scene)$ends
   c(
     "A rotdyn trajectory" = paste(format(nrow(x), big.mark = ","), "x", ncol(x)),
@@ -557,7 +555,7 @@ describe_error <- function(run) {
 #' @export
 summary.rot_trajectory <- function(object, ...) {
   check_no_dots(...)
-  run <- check_trajectory(object, "object", rlang::current_env())
+  run <- check_trajectory(object, "object", current_env())
   new_table(c(
     constraint_of(run$scene)$summary(object, run),
     list(
@@ -600,7 +598,7 @@ glance.rot_trajectory <- function(x, ...) {
 #' predict(spin_up(), time_s = c(7.5, NA, 1 / 3))
 #' @export
 predict.rot_trajectory <- function(object, time_s, ...) {
-  call <- rlang::current_env()
+  call <- current_env()
   if (missing(time_s)) check_supplied("time_s", call)
   check_no_dots(...)
   run <- check_trajectory(object, "object", call)
@@ -663,7 +661,7 @@ predict.rot_trajectory <- function(object, time_s, ...) {
 #' @concept turning point
 #' @export
 motion_events <- function(x, ...) {
-  check_supplied("x", rlang::current_env())
+  check_supplied("x", current_env())
   UseMethod("motion_events")
 }
 
@@ -671,19 +669,19 @@ motion_events <- function(x, ...) {
 motion_events.default <- function(x, ...) {
   check_class(
     x, "rot_trajectory", "x", "{.fn trajectory} and {.fn estimate_motion} give some.",
-    rlang::current_env()
+    current_env()
   )
 }
 
 #' @export
 motion_events.rot_trajectory <- function(x, ...) {
   check_no_dots(...)
-  run <- check_trajectory(x, "x", rlang::current_env())
+  run <- check_trajectory(x, "x", current_env())
   events <- run$events
   out <- list(time_s = as.double(events$time_s), event = as.character(events$event))
   more <- constraint_of(run$scene)$more_events
   if (!is.null(more)) {
-    more <- more(x, run, rlang::current_env())
+    more <- more(x, run, current_env())
     order <- order(c(out$time_s, more$time_s))
     out <- list(
       time_s = c(out$time_s, more$time_s)[order], event = c(out$event, more$event)[order]

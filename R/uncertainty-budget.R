@@ -54,7 +54,7 @@
 #' )
 #' @export
 uncertainty_budget <- function(f, ..., correlation = NULL, level = 0.95, draws = 1e5, seed = 1) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_supplied("f", call)
   check_function(f, "f", call)
   level <- check_number(level, "level", "1", call, lower = 0, upper = 1, open = TRUE)
@@ -340,7 +340,7 @@ check_budget <- function(x, arg, call) {
 #' @rdname uncertainty_budget
 #' @export
 print.rot_uncertainty_budget <- function(x, ...) {
-  check_budget(x, "x", rlang::current_env())
+  check_budget(x, "x", current_env())
   several <- length(x$value) > 1L
   for (j in seq_along(x$value)) {
     cat(

@@ -34,7 +34,7 @@ NULL
 #' @rdname update
 #' @export
 update.rot_scene <- function(object, ...) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_scene(object, call)
   constraint <- constraint_of(object)
   texts <- constraint$texts
@@ -44,7 +44,7 @@ update.rot_scene <- function(object, ...) {
 #' @rdname update
 #' @export
 update.rot_body <- function(object, ...) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_body(object, call, "object")
   forms <- body_texts(object)
   name <- names(forms)[1]

@@ -170,14 +170,14 @@ vary_values <- function(x, weights = NULL, ...) {
 #' @rdname vary_laws
 #' @export
 format.rot_vary <- function(x, ...) {
-  check_vary(x, "x", rlang::current_env())
+  check_vary(x, "x", current_env())
   law_words(x)
 }
 
 #' @rdname vary_laws
 #' @export
 print.rot_vary <- function(x, ...) {
-  check_vary(x, "x", rlang::current_env())
+  check_vary(x, "x", current_env())
   cat("<rot_vary> ", law_words(x), "\n", sep = "")
   invisible(x)
 }

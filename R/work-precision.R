@@ -78,7 +78,7 @@
 work_precision <- function(scene, time_s, models = NULL, accuracies = 10^-c(3, 6, 9, 12), ...,
                            steps_s = NULL, peers = list(), reference = NULL, min_batch_s = 0.02,
                            batches = 5) {
-  call <- rlang::current_env()
+  call <- current_env()
   check_supplied(c("scene", "time_s"), call)
   check_no_dots(...)
   check_scene(scene, call)
@@ -552,8 +552,7 @@ describe_references <- function(x) {
   ))
 }
 
-#' @importFrom tibble tbl_sum
-#' @export
+#' @exportS3Method tibble::tbl_sum
 tbl_sum.rot_work_precision <- function(x, ...) {
   how <- attr(x, "measured", exact = TRUE)
   size <- c("Work and precision" = paste(format(nrow(x), big.mark = ","), "x", ncol(x)))

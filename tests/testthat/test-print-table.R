@@ -324,7 +324,7 @@ test_that("a scene and its motion are introduced as what the user described", {
   for (words in names(said)) {
     first <- utils::capture.output(print(said[[words]]))[1]
     expect_match(first, paste0("^<rot_scene> ", words, "( from 0 s)?$"))
-    expect_identical(tbl_sum(trajectory(said[[words]], 0:1))[["Scene"]], words)
+    expect_identical(tibble::tbl_sum(trajectory(said[[words]], 0:1))[["Scene"]], words)
   }
   loop <- roll_on_curve(curve_circle(1), 0, 1, body_sphere(1, 0.1), v0_m_per_s = 8)
   expect_match(utils::capture.output(print(loop))[1], "Motion along a curve: circle of radius 1 m")
@@ -413,4 +413,27 @@ test_that("columns end where letters of any width and language say", {
     "3 \u65e5\u672c\u8a9e              333"
   ))
   expect_false(any(grepl("b b", lines, fixed = TRUE)))
+})
+
+test_that("a command loads neither tibble nor rlang, and a session prints tables as tibbles", {
+  child <- function(...) {
+    file <- tempfile("child", fileext = ".R")
+    on.exit(unlink(file))
+    libraries <- deparse(c(dirname(system.file(package = "rotdyn")), .libPaths()))
+    writeLines(c(sprintf(".libPaths(%s)", paste(libraries, collapse = "")), ...), file)
+    rscript <- file.path(R.home("bin"), "Rscript")
+    system2(rscript, c("--vanilla", shQuote(file)), stdout = TRUE, stderr = TRUE)
+  }
+  verbs <- c(
+    "rotdyn::rolling_table(data.frame(beta = 0.4))", "rotdyn::shapes()", "rotdyn::models()",
+    "rotdyn::audit(rotdyn::spin_up())", "rotdyn::glance(rotdyn::spin_up())",
+    "rotdyn::trajectory(rotdyn::scene_pendulum(rotdyn::body_rod_end(1, 1), theta0_rad = 1), 0:3)"
+  )
+  said <- child(
+    "options(rotdyn.tables = FALSE)", paste0("x <- ", verbs),
+    'cat(intersect(c("rotdyn", "rlang", "tibble"), loadedNamespaces()))'
+  )
+  expect_identical(said, "rotdyn")
+  expect_match(child("rotdyn::rolling_table()")[1], "# A tibble: 5")
+  expect_match(child("rotdyn::spin_up()")[1], "# A rotdyn trajectory: ")
 })

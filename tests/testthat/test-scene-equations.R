@@ -184,7 +184,7 @@ test_that("every verb", {
 
 test_that("arguments of functions are names of states, in any order, or dots", {
   last <- function(f) {
-    as.list(as_tibble(trajectory(scene_equations(f, c(x = 1, v = 0)), c(0, 2))))
+    as.list(tibble::as_tibble(trajectory(scene_equations(f, c(x = 1, v = 0)), c(0, 2))))
   }
   want <- last(function(x, v) c(v, -x))
   expect_identical(last(function(v, time_s, x) c(v, -x)), want)

@@ -90,7 +90,7 @@ test_that("the error figure holds for any of the rows; of changed values it is u
   expect_identical(run_of(motion[1:2, ])$info$error, run_of(motion)$info$error)
   motion$omega_rad_per_s[3] <- 1
   expect_true(is.na(run_of(motion)$info$error))
-  expect_match(tbl_sum(motion)[["Error"]], "unknown")
+  expect_match(tibble::tbl_sum(motion)[["Error"]], "unknown")
 })
 
 test_that("the header says model and error", {
