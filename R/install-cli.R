@@ -61,7 +61,10 @@ is_own_command <- function(path) {
 
 cli_mark <- "written by rotdyn::install_cli()"
 
-cli_call <- 'options(rotdyn.tables=FALSE);tryCatch(rotdyn:::cli_main(),interrupt=function(e)quit("no",130L))'
+cli_call <- paste0(
+  "options(rotdyn.tables=FALSE);",
+  'tryCatch(rotdyn:::cli_main(),interrupt=function(e)quit("no",130L))'
+)
 
 # Where standard output or error is closed, files that R opens would have its place.
 cli_closed <- c(
