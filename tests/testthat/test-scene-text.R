@@ -404,7 +404,7 @@ test_that("texts are indented by at most eight blanks", {
 })
 
 test_that("scenes are written like this", {
-  text <- unlist(lapply(scenes_of_all(), write_scene))
+  text <- unlist(lapply(suppressWarnings(scenes_of_all()), write_scene))
   # Twelve digits: sines and cosines differ in the last between machines.
   number <- "-?[0-9]+[.][0-9]{12,}(e[-+]?[0-9]+)?"
   at <- gregexpr(number, text)

@@ -685,7 +685,7 @@ static void lowered_as_dense(void) {
   }
   printf("lowered as by dense matrices: %d records; steps %d %d %d %d %d %d\n", compared, seen[0],
          seen[1], seen[2], seen[3], seen[4], seen[5]);
-  ROT_CHECK(compared > 250 && seen[0] > 20 && seen[5] > 20 && seen[2] + seen[3] > 10);
+  ROT_CHECK(compared > 250 && seen[0] > 15 && seen[5] > 15 && seen[2] + seen[3] > 10);
 }
 
 /* A switched torque is no impact: a jump of omega, one state more, has to pay for itself. A small
