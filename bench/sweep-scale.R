@@ -74,7 +74,7 @@ core_rows <- function(program, n = 2048) {
 
 # Processors that share a clock or a core are slower when all are at work: two programs that know
 # nothing of each other took 6.1 ms each where one alone took 3.6. So one thread is timed with the
-# other processor at work on the same rows.
+# other processor at work.
 with_other_busy <- function(busy, run) {
   command <- paste(c(shQuote(c(busy$command, busy$args)), "time 3 1e12 > /dev/null 2>&1 & echo $!"),
                    collapse = " ")
