@@ -160,7 +160,9 @@ information_of <- function(fit, planned, call) {
     abort_rotdyn("The planned record begins before the scene does, at {start} s.", "value", call)
   }
   fixed <- setdiff(names(planned$inputs), about$unknown)
-  about$node <- node_with(about$node, fixed, planned$inputs[fixed], about$known)
+  if (is.null(about$build)) {
+    about$node <- node_with(about$node, fixed, planned$inputs[fixed], about$known)
+  }
   about$records <- list(list(
     name = "planned", time_s = planned$time_s,
     series = stats::setNames(rep(list(rep(0, length(planned$time_s))), length(planned$observed)),

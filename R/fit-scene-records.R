@@ -77,7 +77,7 @@ unit_of_column <- function(name) {
 
 # The columns of a scene's motion that are numbers.
 fit_observables <- function(scene, call) {
-  outputs <- outputs_of_rows(scene_node_with_functions(scene, call), call)$path
+  outputs <- outputs_of_scene(scene, call)$path
   sub("^final_", "", grep("^final_", outputs, value = TRUE))
 }
 

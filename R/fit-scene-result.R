@@ -59,6 +59,7 @@ new_scene_fit <- function(about, found, call) {
   status[held] <- ifelse(found$held[held] < 0, "at its lower limit", "at its upper limit")
   status[lost] <- "not determined"
   if (failed) status[] <- "not converged"
+  if (is.null(found$model)) found$model <- model_of_run(about$problem$run)
   fit <- list(
     about = about, found = found, spread = spread, dof = dof, free = free, failed = failed,
     identity = new_identity()
@@ -175,7 +176,8 @@ print.rot_fit <- function(x, ...) {
   for (words in free_words(fit)) cat("  not determined: ", words, "\n", sep = "")
   noise <- noise_table(fit)
   cat(paste0(
-    "  noise of ", noise$column, ": ", format_each(signif(noise$sigma, 3)), " ", noise$unit,
+    "  noise of ", noise$column, ": ", format_each(signif(noise$sigma, 3)),
+    ifelse(noise$unit == "1", "", paste0(" ", noise$unit)),
     ifelse(noise$tau_s > 0, paste0(", correlated over ", format_each(signif(noise$tau_s, 2)), " s"),
            "")
   ), sep = "\n")
@@ -226,7 +228,7 @@ as_scene.rot_fit <- function(x, ..., record = 1) {
 fitted_scene <- function(about, x, r, call) {
   p <- about$parameters
   at <- p$kind == "input" & p$record %in% c(0L, r)
-  scene_of_node(node_with(about$node, p$of[at], x[at], about$known), call)
+  scene_of_numbers(about, stats::setNames(x[at], p$of[at]), call)
 }
 
 # The columns of record r as they are measured at other times: offset + factor * motion.
@@ -238,15 +240,11 @@ predicted_series <- function(about, x, r, time_s, call) {
   }
   scene <- fitted_scene(about, x, r, call)
   motion <- motion_at(scene, time_s + number("clock", "time_s", 0))
-  index <- constraint_of(scene)$index
-  names <- names(about$records[[r]]$series)
-  lapply(stats::setNames(names, names), function(name) {
-    y <- motion[[sub("\\[[0-9]+\\]$", "", name)]]
-    if (!is.null(index)) {
-      y <- y[motion[[index]] == as.integer(sub("^.*\\[([0-9]+)\\]$", "\\1", name))]
-    }
-    number("offset", name, 0) + number("factor", name, 1) * y
-  })
+  series <- series_of_motion(
+    motion, constraint_of(scene)$index, names(about$records[[r]]$series)
+  )
+  Map(function(y, name) number("offset", name, 0) + number("factor", name, 1) * y, series,
+      names(series))
 }
 
 # A motion at times that need not begin with the scene.

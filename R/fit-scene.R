@@ -15,6 +15,9 @@
 #' input (see [sweep_inputs()]); an unknown that the record pushes to its edge is held there, and
 #' its limit is where the sum of squares has grown as much as the level asks.
 #'
+#' A scene with R functions, and one that `build` makes, is run by [trajectory()] at each step: some
+#' milliseconds where the core needs microseconds.
+#'
 #' Derivatives are differences of exact motions, with steps that follow from the error figure of the
 #' motion. The noise of each column is white, or white and an Ornstein-Uhlenbeck process, by
 #' restricted likelihood (REML).
@@ -32,13 +35,18 @@
 #' motion have no standard error (`status` is `"not determined"`), and `glance()` has the condition
 #' of the problem.
 #'
-#' @param scene A scene; its numbers are where the search starts.
+#' @param scene A scene; its numbers are where the search starts. NULL with `build`.
 #' @param records A data frame with `time_s` and columns of the scene's motion (`theta_rad`,
 #'   `omega_x_rad_per_s`, `x_m`, ...; of several rows for each time `theta_rad[2]`), a
 #'   [motion_record()], or a list of them. NA: not measured. Each segment of a record is one of its
 #'   own.
-#' @param unknown Paths of inputs, see [sweep_inputs()].
+#' @param unknown Paths of inputs, see [sweep_inputs()]; with `build` named numbers, where the
+#'   search starts.
 #' @param ... Not used: an unknown argument is an error.
+#' @param build A function of a list of the unknowns by their names that returns a scene, instead of
+#'   `scene`: for numbers that are in a law or in equations of one's own.
+#' @param lower,upper Limits of unknowns, by their names, within the domains of the inputs. With a
+#'   lower limit of 0 an unknown is positive, and its logarithm is fitted.
 #' @param per_record Those of `unknown` that each record has for itself; the others are shared.
 #' @param observed Columns to fit; NULL: all of the records that the motion has.
 #' @param prior A list of [measured()] quantities, by the name of the unknown: what is known of it
@@ -60,10 +68,12 @@
 #'   elsewhere.
 #' @section Errors: `rotdyn_error_argument` for an unknown that is no input, is derived, or is there
 #'   twice, and for a column that the motion lacks; `rotdyn_error_value` for a start outside the
-#'   domain, an unknown without effect on what was observed, and times before the scene's start;
-#'   `rotdyn_error_size` for fewer samples than unknowns; `rotdyn_error_range` for a start whose
-#'   motion or residuals leave double precision; `rotdyn_error_type`. A fit that does not converge
-#'   is returned with a warning of class `rotdyn_warning_fit`.
+#'   domain or its limits, an unknown without effect on what was observed, and times before the
+#'   scene's start; `rotdyn_error_size` for fewer samples than unknowns; `rotdyn_error_range` for a
+#'   start whose motion or residuals leave double precision; `rotdyn_error_type`. An error of an R
+#'   function is passed on; where `build` or the constructors in it refuse the numbers of a step,
+#'   the step is shortened. A fit that does not converge is returned with a warning of class
+#'   `rotdyn_warning_fit`.
 #' @source More, Lecture Notes in Mathematics 630, 105 (1978) for the steps; Harville, J. Am. Stat.
 #'   Assoc. 72, 320 (1977) for REML.
 #' @seealso [fit_coast_down()], [fit_swing()], [sweep_inputs()], [motion_record()].
@@ -85,25 +95,45 @@
 #' fit <- fit_scene(guess, film, c("static_friction", "v0_m_per_s"))
 #' fit
 #' as_scene(fit)
+#'
+#' # The law of a spring that stiffens, as an R function.
+#' spring <- function(p) {
+#'   law <- function(time_s, theta_rad, omega_rad_per_s) {
+#'     -p$stiffness_n_m_per_rad * theta_rad - p$cubic_n_m_per_rad3 * theta_rad^3
+#'   }
+#'   scene_axle(0.01, law, theta0_rad = 1)
+#' }
+#' swing <- trajectory(spring(list(stiffness_n_m_per_rad = 2, cubic_n_m_per_rad3 = 1)), 0:40 / 40)
+#' swing$theta_rad <- swing$theta_rad + rnorm(41, 0, 0.01)
+#' fit_scene(
+#'   build = spring, records = swing[c("time_s", "theta_rad")],
+#'   unknown = c(stiffness_n_m_per_rad = 2.2, cubic_n_m_per_rad3 = 0.5),
+#'   lower = c(stiffness_n_m_per_rad = 0)
+#' )
 #' @export
-fit_scene <- function(scene, records, unknown, ..., per_record = character(), observed = NULL,
-                      prior = list(), offset = character(), factor = character(), clock = FALSE,
-                      noise = "find", outliers = "leave_out", level = 0.95, starts = 0,
-                      accuracy = 1e-10) {
+fit_scene <- function(scene, records, unknown, ..., build = NULL, lower = NULL, upper = NULL,
+                      per_record = character(), observed = NULL, prior = list(),
+                      offset = character(), factor = character(), clock = FALSE, noise = "find",
+                      outliers = "leave_out", level = 0.95, starts = 0, accuracy = 1e-10) {
   call <- check_no_dots(...)
-  check_supplied(c("scene", "records", "unknown"), call)
-  check_scene(scene, call)
+  check_supplied(c(if (is.null(build)) "scene", "records", "unknown"), call)
   about <- list(
-    scene = scene, node = fit_node(scene, call),
-    noise = noise,
+    build = build, noise = noise,
     outliers = check_choice(outliers, "outliers", c("leave_out", "keep"), call),
     level = check_number(level, "level", "1", call, lower = 0, upper = 0.9999, open = TRUE),
     accuracy = check_number(accuracy, "accuracy", "1", call, lower = 0, open = TRUE)
   )
   starts <- floor(check_number(starts, "starts", "1", call, 0, 1000))
-  about$known <- inputs_that_vary(about$node)
-  about$unknown <- check_unknown(unknown, about, call)
-  about$node <- node_that_follows(about$node, about$unknown, about$known, call)
+  if (is.null(build)) {
+    about <- fit_of_scene(about, scene, unknown, call)
+  } else if (missing(scene) || is.null(scene)) {
+    about <- fit_of_build(about, build, unknown, call)
+  } else {
+    abort_rotdyn("{.arg scene} and {.arg build} are given: only one describes the motion.",
+                 "argument", call)
+  }
+  scene <- about$scene
+  about$known <- with_limits(about, lower, upper, call)
   about$per_record <- check_among(per_record, "per_record", about$unknown, call)
   about$records <- fit_records(records, scene, observed, call)
   columns <- unique(unlist(lapply(about$records, function(r) names(r$series))))
@@ -122,15 +152,55 @@ fit_scene <- function(scene, records, unknown, ..., per_record = character(), ob
 
 # ---- checks -------------------------------------------------------------------------------------
 
-fit_node <- function(scene, call) {
-  node <- scene_node_with_functions(scene, call)
-  if (has_functions(node)) {
-    abort_rotdyn(c(
-      "{.fn fit_scene} takes no scene with R functions.",
-      i = "Laws that the core knows, such as {.fn torque_steps} and {.fn torque_knots}, are taken."
-    ), "value", call)
+fit_of_scene <- function(about, scene, unknown, call) {
+  check_scene(scene, call)
+  about$scene <- scene
+  about$node <- scene_node_with_functions(scene, call)
+  about$known <- inputs_that_vary(about$node)
+  about$unknown <- check_unknown(unknown, about, call)
+  about$node <- node_that_follows(about$node, about$unknown, about$known, call)
+  about$calls_r <- has_functions(about$node)
+  about
+}
+
+fit_of_build <- function(about, build, unknown, call) {
+  about$known <- unknown_of_build(unknown, build, call)
+  about$unknown <- about$known$path
+  about$scene <- scene_of_numbers(
+    about, stats::setNames(about$known$value, about$unknown), call
+  )
+  about$node <- scene_node_with_functions(about$scene, call)
+  about$calls_r <- TRUE
+  about
+}
+
+# The domains of the unknowns, narrowed by the limits that the caller gives.
+with_limits <- function(about, lower, upper, call) {
+  known <- about$known
+  check_limits <- function(x, arg) {
+    if (is.null(x)) return(double())
+    check_among(names(x) %||% "", paste0("names(", arg, ")"), about$unknown, call)
+    if (!is.numeric(x) || is.object(x) || anyNA(x)) {
+      abort_rotdyn(c(
+        "{.arg {arg}} must be numbers.", x = "It is {describe_value(x)}."
+      ), "type", call)
+    }
+    x
   }
-  node
+  lower <- check_limits(lower, "lower")
+  upper <- check_limits(upper, "upper")
+  at <- match(names(lower), known$path)
+  # From 0 on: positive, as the inputs of scenes are.
+  known$above[at] <- known$above[at] & lower <= known$low[at] | lower == 0
+  known$low[at] <- pmax(known$low[at], lower)
+  at <- match(names(upper), known$path)
+  known$high[at] <- pmin(known$high[at], upper)
+  empty <- known$path[known$low >= known$high & known$path %in% about$unknown]
+  if (length(empty)) {
+    abort_rotdyn("No number of {.field {empty}} is above its lower and below its upper limit.",
+                 "value", call)
+  }
+  known
 }
 
 check_unknown <- function(unknown, about, call) {
@@ -248,7 +318,8 @@ fit_problem <- function(about, call) {
     about$prior[[name]][[what]] %||% NaN
   }, double(1), USE.NAMES = FALSE)
   list(
-    node = about$node, inputs = about$unknown, start = p$start, logarithm = as.double(p$log),
+    node = about$node, run = if (about$calls_r) run_for_fit(about, call), inputs = about$unknown,
+    start = p$start, logarithm = as.double(p$log),
     low = p$low, high = p$high, given = given_noise(about), prior = prior("value"),
     prior_sd = prior("u"), unit = p$unit, accuracy = about$accuracy, max_steps = 1e6,
     threshold = if (identical(about$noise, "find")) 2 else Inf,

@@ -360,8 +360,9 @@ old_keys <- list(
 texts_of_names <- c("name", "shape", "formula", "source", "text", "kind", "method")
 
 read_argument <- function(x, name, call) {
-  # Of a node, not of a text: an R function, or a law that has one.
+  # Of a node, not of a text: an R function, a list of them, or a law that has one.
   if (is.function(x) || is.object(x)) return(x)
+  if (is.list(x) && length(x) && all(vapply(x, is.function, NA))) return(x)
   if (is_special_number(x) && !name %in% texts_of_names) return(as.double(x))
   if (!is.list(x)) return(x)
   if (is.null(names(x))) {

@@ -51,19 +51,24 @@ sweep_outputs <- function(scene, ...) {
   call <- check_no_dots(...)
   check_supplied("scene", call)
   check_scene(scene, call)
-  found <- outputs_of_rows(scene_node_with_functions(scene, call), call)
+  found <- outputs_of_scene(scene, call)
   as_table(output = found$path, unit = plain_units(found$unit), meaning = found$words)
 }
 
 inputs_that_vary <- function(node) .Call(ffi_sweep_inputs, node)
 
-# The unit of a column is that of the dictionary.
-outputs_of_rows <- function(node, call) {
-  found <- .Call(ffi_sweep_outputs, node)
-  column <- sub("\\[[0-9]+\\]$", "", sub("^(final|max_abs|max|min)_", "", found$path))
+# The unit of a column is that of the dictionary, or that in its name where the scene named it.
+outputs_of_scene <- function(scene, call) {
+  found <- .Call(ffi_sweep_outputs, scene_node_with_functions(scene, call))
+  pattern <- "^((?:final|max_abs|max|min)_)(.*?)(\\[[0-9]+\\])?$"
+  column <- sub(pattern, "\\2", found$path, perl = TRUE)
+  named <- constraint_of(scene)$named
+  own <- column %in% names(named)
+  found$path[own] <- paste0(sub(pattern, "\\1", found$path[own], perl = TRUE), named[column[own]])
   dictionary <- column_table()
   unknown <- is.na(found$unit)
   found$unit[unknown] <- dictionary$unit[match(column[unknown], dictionary$name)]
+  found$unit[own] <- vapply(named[column[own]], unit_of_name, "", USE.NAMES = FALSE)
   found
 }
 

@@ -91,7 +91,8 @@ sweep_plan <- function(scene, time_s, design, outputs = NULL, ..., derive = NULL
   plan$design <- design_in_si(plan, call)
   plan <- plan_derived(plan, derive, call)
   plan <- plan_bound(plan, call)
-  plan <- plan_outputs(plan, outputs, call)
+  first <- if (is.null(build)) scene else first_scene(plan, call)
+  plan <- plan_outputs(plan, outputs, first, call)
   check_input_columns(plan, call)
   plan <- plan_model(plan, model, call)
   kernel <- check_flag(kernel, "kernel", call)
@@ -324,19 +325,12 @@ check_domains <- function(plan, all, bound, call) {
 
 # ---- outputs ------------------------------------------------------------------------------------
 
-plan_outputs <- function(plan, outputs, call) {
-  if (is.null(plan$build)) {
-    known <- outputs_of_node(plan, call)
-    scene_class <- NULL
-  } else {
-    first <- first_scene(plan, call)
-    plan$constraint <- constraint_of(first)$id
-    known <- outputs_of_rows(scene_node_with_functions(first, call), call)
-  }
+plan_outputs <- function(plan, outputs, first, call) {
+  constraint <- constraint_of(first)
+  plan$constraint <- constraint$id
+  known <- outputs_of_scene(first, call)
   if (is.null(outputs)) {
-    state <- paste0("final_", unlist(lapply(
-      all_constraints()[[constraint_place(plan$constraint)]]$measures, `[[`, "columns"
-    )))
+    state <- paste0("final_", unlist(lapply(constraint$measures, `[[`, "columns")))
     outputs <- known$path[sub("\\[[0-9]+\\]$", "", known$path) %in% state]
   }
   if (!is.character(outputs) || !length(outputs) || anyNA(outputs)) {
@@ -381,11 +375,6 @@ first_scene <- function(plan, call) {
 }
 
 constraint_place <- function(id) match(id, vapply(all_constraints(), `[[`, "", "id"))
-
-# The core builds no scene with functions: their outputs are those of the scene as R has it.
-outputs_of_node <- function(plan, call) {
-  outputs_of_rows(plan$node, call)
-}
 
 # ---- the model ----------------------------------------------------------------------------------
 

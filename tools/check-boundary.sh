@@ -112,7 +112,7 @@ R_RegisterCCallable
 R_(MakeUnwindCont|NaN|NO_REMAP|NamesSymbol|NilValue|PosInf|PreserveObject|ReleaseObject)
 R_(ClassSymbol|DimSymbol|UnwindProtect)
 Rf_(Scalar(Integer|Logical|Real|String)|alloc(Matrix|Vector)|as(Integer|Logical|Real)|duplicate)
-Rf_(error|eval|getAttrib|inherits|install|is(Function|Matrix|Null|Object)|lang[23]|length)
+Rf_(error|eval|getAttrib|inherits|install|is(Function|Matrix|Null|Object)|lang[234]|length)
 Rf_(mk(Char|CharLenCE|Named|String)|ncols|nrows|setAttrib|translateCharUTF8|xlength)'
 hidden='ATTRIB|BODY|CLOENV|DATAPTR|ENCLOS|ENVFLAGS|EXTPTR_(PROT|PTR|TAG)|FORMALS|FRAME|HASHTAB'
 hidden="$hidden|IS_S4_OBJECT|LEVELS|NAMED|OBJECT|PR(CODE|ENV|VALUE)|STDVEC_DATAPTR|STRING_PTR"

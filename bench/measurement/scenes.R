@@ -89,6 +89,18 @@ experiments <- list(
     c("stiffness_n_m_per_rad", "damping_n_m_s"), c(50, 0.4), c(48, 0.3),
     path("theta_rad", 1), 5, 150, 0.005, 0.01
   ),
+  "gears, with losses" = experiment(
+    function(p) scene_gears(c(0.2, 3), 5, efficiency = p[1], torque = c(4, 0), resistance = list(
+      NULL, resistance(p[2]))),
+    c("efficiency", path("resistance", 2)), c(0.9, 1.5), c(0.8, 1), "omega_rad_per_s", 6, 120, 0.1,
+    0.2
+  ),
+  "motor, shaft, load" = experiment(
+    function(p) scene_drive(c(0.1, 2), coupling_shaft(p[1], p[2], ratio = 4),
+                            torque = list(torque_motor(3, 150), NULL)),
+    paste0("couplings[1]$", c("stiffness_n_m_per_rad", "damping_n_m_s")), c(40, 0.8), c(30, 0.4),
+    path("omega_rad_per_s", 1:2), 3, 150, 0.05, 0.1
+  ),
   "bead on a hoop" = experiment(
     function(p) scene_hoop(0.1, p[1], 5, theta0_rad = p[2]),
     c("radius_m", "theta0_rad"), c(0.8, 1), c(0.82, 0.9), "theta_rad", 4, 100, 0.01, 0.02
@@ -96,6 +108,12 @@ experiments <- list(
   "double pendulum" = experiment(
     function(p) scene_chain(c(p[1], p[2]), 1, c(0.4, 0.2)),
     path("length_m", 1:2), c(1, 0.7), c(1.03, 0.72), path("theta_rad", 1:2), 3, 80, 0.01, 0.02
+  ),
+  "planet, equations" = experiment(
+    function(p) scene_equations(
+      function(x, y, vx, vy) c(vx, vy, -c(x, y) / (x^2 + y^2)^1.5),
+      start = c(x = 1, y = 0, vx = 0, vy = p[1]), positions = c("x", "y")),
+    "start[4]", 1.1, 1.05, c("x", "y"), 8, 60, 0.01, 0.02
   ),
   # Its record does not determine them: the ratios alone.
   "thrown body, moments" = experiment(

@@ -88,13 +88,45 @@ static int put_wholes(rot_object *to, const char *input, const char *kind, SEXP 
          refuse(r, kind, "takes no number");
 }
 
+/* 1 for functions and lists of them. */
+static int is_called(SEXP x) {
+  R_xlen_t i = 0;
+  if (Rf_isFunction(x)) return 1;
+  while (TYPEOF(x) == VECSXP && i < XLENGTH(x) && Rf_isFunction(VECTOR_ELT(x, i))) i++;
+  return TYPEOF(x) == VECSXP && i > 0 && i == XLENGTH(x);
+}
+
+/* 1 for names of what the core counts. */
+static int is_counted(const rot_object *to, const char *input, SEXP x) {
+  const size_t at = input ? rot_input_named(to->n, to->inputs, input) : to->n;
+  return TYPEOF(x) == STRSXP && at < to->n &&
+         !(to->inputs[at].kinds & (ROT_INPUT_CHOICE | ROT_INPUT_TEXT));
+}
+
+static int not_called(const double *argument, double *value, void *context) {
+  (void)argument, (void)value, (void)context;
+  return 1;
+}
+
+/* What is no number: a function stays as a law that ends its run; the rest is unset. */
+static int leave_out(rot_object *to, const char *input, const char *kind, SEXP x, reading *r) {
+  const rot_caller_law law = {not_called, NULL};
+  if (Rf_isFunction(x) && rot_object_law(to, input, law) == ROT_SET_DONE) return 1;
+  return rot_object_unset(to, input) == ROT_SET_DONE || is_called(x) ||
+         refuse(r, kind, "is unknown");
+}
+
 static int put(rot_object *to, const char *input, const char *kind, SEXP x, reading *r) {
   if (r->level > MAX_LEVELS) return refuse(r, kind, "is nested too deep");
-  if (Rf_isNull(x) || Rf_isFunction(x) || Rf_isObject(x)) {
-    return rot_object_unset(to, input) == ROT_SET_DONE || refuse(r, kind, "is unknown");
+  if (Rf_isNull(x) || is_called(x) || Rf_isObject(x) || is_counted(to, input, x)) {
+    return leave_out(to, input, kind, x, r);
   }
   if (TYPEOF(x) == REALSXP && Rf_isMatrix(x)) return put_matrix(to, input, kind, x, r);
-  if (TYPEOF(x) == REALSXP && !has_names(x)) return put_numbers(to, input, kind, x, r);
+  /* Of names that are no inputs of a part the numbers have an order: the states of equations. */
+  rot_made made;
+  if (TYPEOF(x) == REALSXP && !(has_names(x) && rot_object_made(kind, &made))) {
+    return put_numbers(to, input, kind, x, r);
+  }
   if (TYPEOF(x) == INTSXP || TYPEOF(x) == LGLSXP) return put_wholes(to, input, kind, x, r);
   if (TYPEOF(x) == STRSXP && XLENGTH(x) == 1) {
     return rot_object_text(to, input, CHAR(STRING_ELT(x, 0))) == ROT_SET_DONE ||

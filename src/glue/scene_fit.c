@@ -18,16 +18,17 @@ static int *places_of(SEXP list, const char *name, R_xlen_t n) {
 
 static rot_fit_series series_of(SEXP x, const rot_constraint *constraint, R_xlen_t n) {
   SEXP weight = ffi_element(x, "weight");
-  const rot_fit_series to = {
-      .of = {rot_run_column(constraint, ffi_text(ffi_element(x, "column"), "column")),
-             (size_t)ffi_number_of(x, "place")},
-      .y = ffi_numbers_of(x, "y", n),
-      .offset = (int)ffi_number_of(x, "offset"),
-      .factor = (int)ffi_number_of(x, "factor"),
-      .weight = Rf_isNull(weight) ? NULL : ffi_reals(weight, "weight", n),
-      .rounding = ffi_number_of(x, "rounding"),
-      .floor = ffi_number_of(x, "floor")};
-  if (to.of.column >= constraint->n_columns || constraint->columns[to.of.column].flag) {
+  const char *column = ffi_text(ffi_element(x, "column"), "column");
+  const rot_fit_series to = {.of = {constraint ? rot_run_column(constraint, column) : 0,
+                                    (size_t)ffi_number_of(x, "place")},
+                             .y = ffi_numbers_of(x, "y", n),
+                             .offset = (int)ffi_number_of(x, "offset"),
+                             .factor = (int)ffi_number_of(x, "factor"),
+                             .weight = Rf_isNull(weight) ? NULL : ffi_reals(weight, "weight", n),
+                             .rounding = ffi_number_of(x, "rounding"),
+                             .floor = ffi_number_of(x, "floor")};
+  if (constraint &&
+      (to.of.column >= constraint->n_columns || constraint->columns[to.of.column].flag)) {
     Rf_error("internal: no such column");
   }
   return to;
@@ -69,7 +70,7 @@ static rot_fit_problem problem_of(SEXP x, const rot_object *scene) {
   rot_fit_record *all = (rot_fit_record *)R_alloc((size_t)r + 1, sizeof *all);
   for (R_xlen_t i = 0; i < n; i++) paths[i] = CHAR(STRING_ELT(inputs, i));
   for (R_xlen_t i = 0; i < r; i++) {
-    all[i] = record_of(VECTOR_ELT(records, i), scene->constraint, n);
+    all[i] = record_of(VECTOR_ELT(records, i), scene ? scene->constraint : NULL, n);
   }
   return (rot_fit_problem){.scene = scene,
                            .n_inputs = (size_t)n,
@@ -88,18 +89,82 @@ static rot_fit_problem problem_of(SEXP x, const rot_object *scene) {
                            .noise = noise_of(ffi_element(x, "given"))};
 }
 
+/* ---- motions that R computes ----------------------------------------------------------------- */
+
+typedef struct callback {
+  ffi_guard *guard;
+  SEXP run; /* function(record, numbers, time_s) */
+  size_t record, n_inputs, n;
+  const double *input, *time_s;
+  double *value, *error;
+  size_t *events, n_values;
+  int refused;
+} callback;
+
+/* list(value, events, error) of R, or NULL: refused; may jump */
+static SEXP call_run(void *data) {
+  callback *c = data;
+  SEXP record = PROTECT(Rf_ScalarReal((double)c->record + 1.0));
+  SEXP input = PROTECT(ffi_numbers((int)c->n_inputs, c->input));
+  SEXP time_s = PROTECT(Rf_allocVector(REALSXP, (R_xlen_t)c->n));
+  memcpy(REAL(time_s), c->time_s, c->n * sizeof *c->time_s);
+  SEXP call = PROTECT(Rf_lang4(c->run, record, input, time_s));
+  SEXP found = PROTECT(Rf_eval(call, R_GlobalEnv));
+  c->refused = Rf_isNull(found);
+  if (!c->refused) {
+    const double *value = ffi_numbers_of(found, "value", (R_xlen_t)c->n_values);
+    const double *events = ffi_numbers_of(found, "events", (R_xlen_t)c->n);
+    memcpy(c->value, value, c->n_values * sizeof *value);
+    for (size_t i = 0; i < c->n; i++) c->events[i] = (size_t)events[i];
+    *c->error = ffi_number_of(found, "error");
+  }
+  UNPROTECT(5);
+  return R_NilValue;
+}
+
+static rot_status run_of_r(size_t record, const double input[], size_t n, const double time_s[],
+                           double value[], size_t events[], double *error, void *ctx) {
+  callback *c = (callback *)ctx + record;
+  c->input = input;
+  c->n = n;
+  c->time_s = time_s;
+  c->value = value;
+  c->events = events;
+  c->error = error;
+  const rot_status status = ffi_guarded(c->guard, call_run, c, NULL);
+  return status == ROT_OK && c->refused ? ROT_EVALUE : status;
+}
+
+/* A callback for each record. */
+static callback *callbacks_of(SEXP run, const rot_fit_problem *problem, ffi_guard *guard) {
+  callback *to = (callback *)R_alloc(problem->n_records + 1, sizeof *to);
+  for (size_t r = 0; r < problem->n_records; r++) {
+    const rot_fit_record *of = &problem->records[r];
+    to[r] = (callback){.guard = guard,
+                       .run = run,
+                       .record = r,
+                       .n_inputs = problem->n_inputs,
+                       .n_values = of->n * of->n_series};
+  }
+  return to;
+}
+
+/* ---- the fit --------------------------------------------------------------------------------- */
+
 enum { X, HELD, COVARIANCE, FACTOR, TRIANGLE, NOISE, FITTED, WHITE, NUMBERS, MODEL };
 static const char *const names[] = {"x",      "held",  "covariance", "factor", "triangle", "noise",
                                     "fitted", "white", "numbers",    "model",  ""};
 
-/* problem => list(x, held, covariance, factor, triangle; noise: n, sigma, tau, white, cap, gain of
- * each series; fitted, white; numbers: status, squares, condition, samples, iterations, runs;
- * model); or list(refused, at) */
+/* problem, with a scene as `node`, or `run`: a function that computes the motions => list(x, held,
+ * covariance, factor, triangle; noise: n, sigma, tau, white, cap, gain of each series; fitted,
+ * white; numbers: status, squares, condition, samples, iterations, runs; model); or list(refused,
+ * at) */
 SEXP ffi_fit(SEXP x, SEXP progress) {
   static const char *const refused[] = {"refused", "at", ""};
   char fault[FFI_OBJECT_FAULT];
-  rot_object *scene = ffi_object(ffi_element(x, "node"), fault);
-  if (!scene) Rf_error("internal: %s", fault);
+  SEXP run = ffi_element(x, "run");
+  rot_object *scene = Rf_isNull(run) ? ffi_object(ffi_element(x, "node"), fault) : NULL;
+  if (!scene && Rf_isNull(run)) Rf_error("internal: %s", fault);
   R_xlen_t n_series = 0, n_samples = 0;
   SEXP records = ffi_element(x, "records");
   for (R_xlen_t r = 0; r < XLENGTH(records); r++) {
@@ -108,7 +173,7 @@ SEXP ffi_fit(SEXP x, SEXP progress) {
     n_series += m;
     n_samples += m * XLENGTH(ffi_element(one, "time_s"));
   }
-  const rot_fit_problem problem = problem_of(x, scene);
+  rot_fit_problem problem = problem_of(x, scene);
   const R_xlen_t m = (R_xlen_t)problem.n_unknowns;
   SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names));
   rot_fit fit = {0};
@@ -128,6 +193,10 @@ SEXP ffi_fit(SEXP x, SEXP progress) {
   rot_refusal no = {0};
   ffi_guard guard;
   ffi_guard_begin(&guard, progress);
+  if (!scene) {
+    problem.run = run_of_r;
+    problem.ctx = callbacks_of(run, &problem, &guard);
+  }
   const rot_status status = rot_fit_solve(&problem, &guard.hooks, &fit, &no);
   rot_object_free(scene);
   const int found = status == ROT_OK || status == ROT_ERANGE || status == ROT_EBUDGET;

@@ -161,8 +161,6 @@ test_that("what cannot be fitted is said before", {
                class = "rotdyn_error_missing")
   words <- transform(film, x_m = as.character(x_m))
   expect_error(fit_scene(bowling(0.2, 7), words, "v0_m_per_s"), class = "rotdyn_error_type")
-  pushed <- scene_axle(1, function(time_s) 0 * time_s)
-  expect_error(fit_scene(pushed, film, "body"), "R functions", class = "rotdyn_error_value")
   expect_error(as_scene(fit("v0_m_per_s"), record = 2), class = "rotdyn_error_value")
 })
 
@@ -384,4 +382,131 @@ test_that("a search that cannot begin says why", {
   }
   # Far from the record, but with a way there.
   expect_lt(abs(suppressWarnings(fit_scene(spring(1e60), record, "omega0_rad_per_s"))$value), 1)
+})
+
+# ---- scenes with R functions, and those that a function builds ----------------------------------
+
+pushed <- function(law, viscous, omega0) {
+  scene_axle(0.5, law, resistance(viscous, coulomb_n_m = 0.2), omega0_rad_per_s = omega0)
+}
+sine <- torque_sinusoid(0.3, 2)
+sine_function <- function(time_s) 0.3 * cos(2 * time_s)
+
+test_that("a law as an R function and as the core's give the same fit", {
+  # It sticks at times within the record.
+  film <- film_of(pushed(sine, 0.05, 2), 0:120 / 10, c("theta_rad", "omega_rad_per_s"), 0.02)
+  unknown <- c("resistance$viscous_n_m_s", "omega0_rad_per_s", "resistance$coulomb_n_m")
+  core <- fit_scene(pushed(sine, 0.08, 1.7), film, unknown)
+  r <- fit_scene(pushed(sine_function, 0.08, 1.7), film, unknown)
+  expect_gt(nrow(motion_events(trajectory(as_scene(core), c(0, 12)))), 1)
+  expect_lt(max(abs(r$value - core$value) / core$standard_error), 1e-3)
+  expect_equal(r$standard_error, core$standard_error, tolerance = 1e-4)
+  expect_equal(augment(r)$fitted, augment(core)$fitted, tolerance = 1e-6)
+  expect_identical(glance(r)$model, "axle_rk8pd")
+  expect_identical(as_scene(r)$torque$f, sine_function)
+  later <- predict(r, c(1, 3))
+  expect_equal(later$theta_rad, predict(core, c(1, 3))$theta_rad, tolerance = 1e-6)
+})
+
+test_that("numbers of a law and of equations are fitted through `build`", {
+  spring <- function(p) {
+    law <- function(time_s, theta_rad, omega_rad_per_s) -p$stiffness * theta_rad
+    scene_axle(0.01, law, theta0_rad = p$start)
+  }
+  known <- function(p) scene_axle(0.01, torque_spring(p[[1]]), theta0_rad = p[[2]])
+  film <- film_of(known(c(2, 1)), 0:60 / 60, "theta_rad", 0.01)
+  core <- fit_scene(known(c(2.2, 0.9)), film, c("torque$stiffness_n_m_per_rad", "theta0_rad"))
+  unknown <- c(stiffness = 2.2, start = 0.9)
+  law <- fit_scene(records = film, unknown = unknown, build = spring, lower = c(stiffness = 0))
+  hand <- function(p) {
+    scene_equations(
+      function(theta_rad, omega_rad_per_s) c(omega_rad_per_s, -100 * p$stiffness * theta_rad),
+      start = c(theta_rad = p$start, omega_rad_per_s = 0)
+    )
+  }
+  own <- fit_scene(records = film, unknown = unknown, build = hand)
+  for (fit in list(law, own)) {
+    expect_identical(fit$unknown, names(unknown))
+    expect_identical(fit$unit, rep(NA_character_, 2))
+    expect_lt(max(abs(fit$value - core$value) / core$standard_error), 1e-3)
+    expect_equal(fit$standard_error, core$standard_error, tolerance = 1e-4)
+    expect_equal(augment(fit)$fitted, augment(core)$fitted, tolerance = 1e-6)
+    expect_equal(predict(fit, 0.5)$theta_rad, predict(core, 0.5)$theta_rad, tolerance = 1e-6)
+  }
+  # A lower limit of 0: of the logarithm, as of inputs of scenes.
+  expect_equal(law$lower, core$lower, tolerance = 1e-5)
+  expect_identical(as_scene(own)$start[["theta_rad"]], own$value[2])
+  expect_output(print(own), "scene_equations.*stiffness +2[.]0.*model equations_")
+  expect_identical(names(profile(law, "start"))[2], "value")
+  plans <- list(longer = planned_record(0:90 / 30, "theta_rad"))
+  known <- lapply(list(law, core), function(fit) fit_design(fit, plans))
+  expect_equal(known[[1]]$planned_error, known[[2]]$planned_error, tolerance = 1e-4)
+})
+
+test_that("states of equations are inputs of fits and sweeps", {
+  orbit <- function(speed) {
+    scene_equations(
+      function(x, y, vx, vy) c(vx, vy, -c(x, y) / (x^2 + y^2)^1.5),
+      start = c(x = 1, y = 0, vx = 0, vy = speed), positions = c("x", "y"),
+      conserved = list(moment = function(x, y, vx, vy) x * vy - y * vx)
+    )
+  }
+  expect_identical(sweep_inputs(orbit(1.1))$input, c(paste0("start[", 1:4, "]"), "start_s"))
+  expect_identical(sweep_inputs(orbit(1.1))$value, c(1, 0, 0, 1.1, 0))
+  outputs <- sweep_outputs(orbit(1))$output
+  expect_true(all(c("final_x", "max_abs_vy", "balanced", "error") %in% outputs))
+  expect_false(any(c("supplied_j", "lost_j") %in% outputs))
+  film <- film_of(orbit(1.1), 0:60 / 8, c("x", "y"), 0.01)
+  fit <- fit_scene(orbit(1.05), film, "start[4]")
+  expect_lt(abs(fit$value - 1.1), 3 * fit$standard_error)
+  # The period of an orbit gives the speed to 2 pi / (3 a T) of the time's error; the noise alone.
+  expect_lt(fit$standard_error, 5e-4)
+  plan <- sweep_plan(orbit(1), 2, design_list(tibble::tibble("start[4]" = c(0.9, 1.2))))
+  rows <- sweep_run(plan)
+  expect_identical(rows$final_x[2], trajectory(orbit(1.2), c(0, 2))$x[2])
+})
+
+test_that("an error of a user's function is the user's, a refused step is shorter", {
+  film <- film_of(scene_axle(2, 1), 0:20 / 10, "theta_rad", 0.01)
+  heavy <- function(p) scene_axle(p$inertia, 1)
+  # A step from 40 kg m^2 ends below 0, which the constructor refuses.
+  fit <- fit_scene(records = film, unknown = c(inertia = 40), build = heavy, noise = "white")
+  expect_lt(abs(fit$value - 2), 3 * fit$standard_error)
+  refused <- function(code, class, text) expect_error(code, text, class = class)
+  build <- function(build, unknown = c(inertia = 2), ...) {
+    fit_scene(records = film, unknown = unknown, build = build, ...)
+  }
+  refused(build(function(p) stop("mine")), "simpleError", "mine")
+  calls <- 0
+  later <- function(p) {
+    calls <<- calls + 1
+    if (calls > 3) stop("mine, later")
+    heavy(p)
+  }
+  refused(build(later), "simpleError", "mine, later")
+  expect_identical(calls, 4)
+  refused(build(heavy, c(inertia = -2)), "rotdyn_error_value", "greater than 0")
+  refused(build(function(p) 3), "rotdyn_error_type", "must return a scene")
+  refused(build("heavy"), "rotdyn_error_type", "must be a function")
+  refused(build(heavy, 2), "rotdyn_error_type", "named numbers")
+  refused(build(heavy, c(inertia = NaN)), "rotdyn_error_value", "unknown")
+  refused(build(heavy, lower = c(mass = 1)), "rotdyn_error_argument", "inertia")
+  refused(build(heavy, lower = c(inertia = 3)), "rotdyn_error_value", "outside")
+  refused(build(heavy, lower = c(inertia = 3), upper = c(inertia = 1)), "rotdyn_error_value",
+          "above its lower")
+  refused(build(heavy, upper = c(inertia = "1")), "rotdyn_error_type", "must be numbers")
+  refused(fit_scene(scene_axle(2, 1), film, "body", build = heavy), "rotdyn_error_argument",
+          "only one")
+  refused(build(function(p) scene_axle(2 + 0 * p$inertia, 1)), "rotdyn_error_value", "no effect")
+})
+
+test_that("limits narrow the domain of an input", {
+  film <- film_of(bowling(0.12, 8), 0:90 / 30, "x_m", 0.01)
+  unknown <- c("static_friction", "v0_m_per_s")
+  free <- fit_scene(bowling(0.2, 7), film, unknown)
+  wide <- fit_scene(bowling(0.2, 7), film, unknown, upper = c(static_friction = 1))
+  expect_identical(wide$value, free$value)
+  held <- fit_scene(bowling(0.2, 7), film, unknown, lower = c(static_friction = 0.15))
+  expect_identical(held$value[1], 0.15)
+  expect_identical(held$status[1], "at its lower limit")
 })

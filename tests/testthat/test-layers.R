@@ -70,3 +70,12 @@ test_that("no file of R/ uses a higher layer", {
   layers[["plot.R"]] <- 9L
   expect_true(any(grepl("uses .* \\(plot[.]R\\)", upward(edges, layers, asNamespace("rotdyn")))))
 })
+
+test_that("no name is defined in two files of R/", {
+  root <- Sys.getenv("ROTDYN_ROOT")
+  skip_if(!dir.exists(file.path(root, "R")), "the sources are not here")
+  defined <- names(definitions(file.path(root, "R")))
+  expect_gt(length(defined), 2000)
+  # The later file would win, without a word.
+  expect_identical(setdiff(defined[duplicated(defined)], ".onLoad"), character())
+})

@@ -29,6 +29,7 @@ struct rot_fit_motion {
   double *slope;  /* by each input and the shift, at the base */
   int *has_slope;
   size_t runs;
+  rot_status ended; /* what ends the fit: ROT_EUNWIND, ROT_ENOMEM; nothing runs after it */
   rot_store store;
 };
 
@@ -42,14 +43,15 @@ static int open_rows(rot_fit_motion *m, rows *r) {
 static rot_status open_memory(rot_fit_motion *m) {
   const rot_fit_motion_plan *plan = m->plan;
   const size_t each = (plan->n + 1) * m->rows_per_time;
-  m->input = rot_store_get(&m->store, plan->n_inputs + 1, sizeof *m->input);
+  const size_t n_columns = m->constraint ? m->constraint->n_columns : 0;
+  m->input = rot_store_get(&m->store, 2 * plan->n_inputs + 1, sizeof *m->input);
   m->time_s = rot_store_get(&m->store, plan->n + 1, sizeof *m->time_s);
-  double *columns = rot_store_get(&m->store, m->constraint->n_columns * each, sizeof *columns);
+  double *columns = rot_store_get(&m->store, n_columns * each, sizeof *columns);
   m->slope = rot_store_get(&m->store, (plan->n_inputs + 1) * plan->n_columns * plan->n + 1,
                            sizeof *m->slope);
   m->has_slope = rot_store_get(&m->store, plan->n_inputs + 1, sizeof *m->has_slope);
   if (!m->input || !m->time_s || !columns || !m->slope || !m->has_slope) return ROT_ENOMEM;
-  for (size_t i = 0; i < m->constraint->n_columns; i++) m->column[i] = columns + i * each;
+  for (size_t i = 0; i < n_columns; i++) m->column[i] = columns + i * each;
   return open_rows(m, &m->base) && open_rows(m, &m->up) && open_rows(m, &m->down) &&
                  open_rows(m, &m->far_up) && open_rows(m, &m->far_down)
              ? ROT_OK
@@ -62,12 +64,15 @@ rot_status rot_fit_motion_open(const rot_fit_motion_plan *plan, rot_fit_motion *
   *to = NULL;
   if (!m) return ROT_ENOMEM;
   m->plan = plan;
-  rot_status status = rot_variants_new(plan->scene, plan->n_inputs, plan->inputs, &m->variants, no);
-  if (status == ROT_OK) {
-    m->constraint = plan->scene->constraint;
-    m->rows_per_time = rot_run_rows_per_time(m->constraint, rot_variants_base(m->variants));
-    status = open_memory(m);
+  rot_status status = ROT_OK;
+  if (!plan->run) {
+    status = rot_variants_new(plan->scene, plan->n_inputs, plan->inputs, &m->variants, no);
+    if (status == ROT_OK) {
+      m->constraint = plan->scene->constraint;
+      m->rows_per_time = rot_run_rows_per_time(m->constraint, rot_variants_base(m->variants));
+    }
   }
+  if (status == ROT_OK) status = open_memory(m);
   if (status == ROT_OK)
     *to = m;
   else
@@ -82,7 +87,6 @@ void rot_fit_motion_close(rot_fit_motion *m) {
   free(m);
 }
 
-const rot_constraint *rot_fit_motion_constraint(const rot_fit_motion *m) { return m->constraint; }
 const rot_model *rot_fit_motion_model(const rot_fit_motion *m) { return m->model; }
 size_t rot_fit_motion_runs(const rot_fit_motion *m) { return m->runs; }
 
@@ -133,14 +137,34 @@ static rot_status run_scene(rot_fit_motion *m, const void *scene, double shift_s
   return status;
 }
 
-/* The motion of m->input with input j moved by h (j = n_inputs: the shift). */
-static rot_status run_moved(rot_fit_motion *m, size_t j, double h, rows *to) {
+/* The motion of m->input with input j moved by h, as the caller computes it. */
+static rot_status run_callers(rot_fit_motion *m, size_t j, double h, rows *to) {
+  const rot_fit_motion_plan *plan = m->plan;
+  const size_t n = plan->n_inputs;
+  double *input = m->input + n;
+  for (size_t i = 0; i < n; i++) input[i] = m->input[i] + (i == j ? h : 0.0);
+  const double shift_s = m->shift_s + (j == n ? h : 0.0);
+  for (size_t i = 0; i < plan->n; i++) m->time_s[i] = plan->time_s[i] + shift_s;
+  m->runs++;
+  return plan->run(plan->record, input, plan->n, m->time_s, to->value, to->events, &to->error,
+                   plan->ctx);
+}
+
+/* The same by the core (j = n_inputs: the shift). */
+static rot_status run_own(rot_fit_motion *m, size_t j, double h, rows *to) {
   const size_t n = m->plan->n_inputs;
   rot_refusal no;
   const void *scene;
   for (size_t i = 0; i < n; i++) rot_variants_set(m->variants, i, m->input[i] + (i == j ? h : 0.0));
   const rot_status status = rot_variants_build(m->variants, &scene, &no);
   return status == ROT_OK ? run_scene(m, scene, m->shift_s + (j == n ? h : 0.0), to) : status;
+}
+
+static rot_status run_moved(rot_fit_motion *m, size_t j, double h, rows *to) {
+  if (m->ended != ROT_OK) return m->ended;
+  const rot_status status = m->plan->run ? run_callers(m, j, h, to) : run_own(m, j, h, to);
+  if (status == ROT_EUNWIND || status == ROT_ENOMEM) m->ended = status;
+  return status;
 }
 
 rot_status rot_fit_motion_at(rot_fit_motion *m, const double input[], double shift_s,
@@ -241,6 +265,7 @@ static rot_status find_step(rot_fit_motion *m, size_t j, double low, double high
   for (int round = 0; round < 40; round++) {
     const double step = step_in(x, size, low, high);
     rot_status status = step != 0.0 ? run_moved(m, j, step, &m->up) : ROT_EVALUE;
+    if (m->ended != ROT_OK) return m->ended;
     if (status != ROT_OK) {
       size *= 0.1;
       if (size < DBL_EPSILON * fabs(x) + DBL_MIN) return status;
@@ -284,7 +309,7 @@ static rot_status new_slope(rot_fit_motion *m, size_t j, double low, double high
   const int has_down = down && run_moved(m, j, -2.0 * h, &m->far_down) == ROT_OK;
   differences(m, h, &m->up, &m->down, has_up ? &m->far_up : NULL, has_down ? &m->far_down : NULL,
               slope);
-  return ROT_OK;
+  return m->ended;
 }
 
 rot_status rot_fit_motion_slope(rot_fit_motion *m, size_t j, double low, double high, double *size,

@@ -13,6 +13,13 @@ typedef struct rot_fit_column {
   size_t place;  /* of several rows for each time: from 1; 0: one row */
 } rot_fit_column;
 
+/* The motion of a record as the caller computes it: (numbers that vary, n times) => column k at
+ * time i in value[k * n + i], how many events are at or before each time, the largest relative
+ * error. ROT_EVALUE: the numbers are refused. After ROT_EUNWIND it is not called again. */
+typedef rot_status (*rot_fit_run)(size_t record, const double input[], size_t n,
+                                  const double time_s[], double value[], size_t events[],
+                                  double *error, void *ctx);
+
 typedef struct rot_fit_motion_plan {
   const rot_object *scene;
   size_t n_inputs;
@@ -22,6 +29,9 @@ typedef struct rot_fit_motion_plan {
   size_t n; /* times, not decreasing, none before the start of a scene */
   const double *time_s;
   double accuracy, max_steps;
+  rot_fit_run run; /* NULL: the core computes the motion; else it needs no scene and no paths */
+  void *ctx;
+  size_t record;
 } rot_fit_motion_plan;
 
 typedef struct rot_fit_motion rot_fit_motion;
@@ -42,8 +52,7 @@ rot_status rot_fit_motion_at(rot_fit_motion *motion, const double input[], doubl
 rot_status rot_fit_motion_slope(rot_fit_motion *motion, size_t j, double low, double high,
                                 double *size, double slope[]);
 
-/* => the constraint, model of the last run (NULL: none), number of runs */
-const rot_constraint *rot_fit_motion_constraint(const rot_fit_motion *motion);
+/* => model of the last run (NULL: none, or `run` knows), number of runs */
 const rot_model *rot_fit_motion_model(const rot_fit_motion *motion);
 size_t rot_fit_motion_runs(const rot_fit_motion *motion);
 

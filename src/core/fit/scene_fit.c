@@ -30,6 +30,7 @@ typedef struct work {
   double *step;            /* of each record and unknown, and its shift */
   double *value, *slope, *block, *input;
   double error;         /* of the motions, relative, the largest so far */
+  rot_status ended;     /* what ended the search in a call by the solver */
   double *best_u, best; /* the lowest sum of squares so far */
   rot_store store;
 } work;
@@ -106,6 +107,9 @@ static rot_status open_motions(work *w, rot_refusal *no) {
     const rot_fit_record *record = &p->records[r];
     for (size_t c = 0; c < record->n_series; c++) columns[c] = record->series[c].of;
     w->plans[r] = (rot_fit_motion_plan){.scene = p->scene,
+                                        .run = p->run,
+                                        .ctx = p->ctx,
+                                        .record = r,
                                         .n_inputs = p->n_inputs,
                                         .inputs = p->inputs,
                                         .n_columns = record->n_series,
@@ -238,12 +242,18 @@ static rot_status all_residuals(work *w, double r[]) {
   return status;
 }
 
+static int is_over(rot_status status) { return status == ROT_EUNWIND || status == ROT_ENOMEM; }
+
 static rot_status call_residual(const double free_u[], double r[], void *ctx) {
   work *w = ctx;
   double sum = 0.0;
   take(w, free_u);
   const rot_status status = all_residuals(w, r);
-  if (status != ROT_OK) return status;
+  if (is_over(status)) return w->ended = status;
+  if (status != ROT_OK) { /* the solver comes back by a shorter step */
+    for (size_t i = 0; i < w->n_residuals; i++) r[i] = DBL_MAX;
+    return ROT_OK;
+  }
   for (size_t i = 0; i < w->n_residuals; i++) sum += r[i] * r[i];
   if (sum < w->best) {
     w->best = sum;
@@ -320,7 +330,9 @@ static rot_status all_derivatives(work *w, double j[]) {
 static rot_status call_jacobian(const double free_u[], double j[], void *ctx) {
   work *w = ctx;
   take(w, free_u);
-  return all_derivatives(w, j);
+  const rot_status status = all_derivatives(w, j);
+  if (is_over(status)) w->ended = status;
+  return status;
 }
 
 /* ---- the minimum within the domains ---------------------------------------------------------- */
@@ -409,7 +421,8 @@ static rot_status solve_free(work *w, rot_squares *found) {
   double u[ROT_FIT_UNKNOWNS];
   for (size_t j = 0; j < w->n_free; j++) u[j] = w->u[w->free_at[j]];
   w->best = INFINITY;
-  const rot_status status = rot_squares_solve(&problem, w->hooks, u, found);
+  const rot_status solved = rot_squares_solve(&problem, w->hooks, u, found);
+  const rot_status status = w->ended != ROT_OK ? w->ended : solved;
   if (status == ROT_OK) {
     take(w, u);
   } else if (w->best < INFINITY) {

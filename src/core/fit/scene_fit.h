@@ -49,6 +49,8 @@ typedef struct rot_fit_problem {
   double accuracy, max_steps;
   double threshold;           /* of the noise: gain of the likelihood; Inf: white */
   const rot_fit_noise *noise; /* of each series; NULL: it is found */
+  rot_fit_run run;            /* computes the motions instead of the core, or NULL */
+  void *ctx;
 } rot_fit_problem;
 
 /* Memory of the caller: p = n_unknowns; covariance, factor, triangle: p x p, of the fit's
@@ -69,7 +71,8 @@ typedef struct rot_fit {
 
 /* (problem, start x) => fit. low = high: fixed. ROT_EVALUE: refused; no->input: place of the path,
  * n_inputs: the scene, n_inputs + 1 + k: unknown k has no effect on what was observed. ROT_ERANGE,
- * ROT_EBUDGET: no minimum; the fit has the best point, without errors. */
+ * ROT_EBUDGET: no minimum; the fit has the best point, without errors. A point whose motion cannot
+ * be computed is one with infinite residuals: the step to it is shortened. */
 rot_status rot_fit_solve(const rot_fit_problem *problem, const rot_hooks *hooks, rot_fit *fit,
                          rot_refusal *no);
 

@@ -63,6 +63,18 @@ static int split_place(const char *name, char base[NAME], size_t *place) {
   return at[0] == ']' && at[1] == '\0';
 }
 
+static int has_energy(const rot_constraint *c) {
+  size_t k = 0;
+  while (k < c->n_balances && strcmp(c->balances[k].quantity, "energy")) k++;
+  return k < c->n_balances;
+}
+
+/* => 1 if runs of the constraint have this number */
+static int has_number(const rot_constraint *c, rot_output_kind kind) {
+  if (kind == ROT_OUT_PERIOD) return c->period_s != NULL;
+  return (kind != ROT_OUT_SUPPLIED && kind != ROT_OUT_LOST) || has_energy(c);
+}
+
 int rot_output_named(const rot_constraint *c, const char *name, rot_output_of *to) {
   char base[NAME];
   memset(to, 0, sizeof *to);
@@ -70,7 +82,7 @@ int rot_output_named(const rot_constraint *c, const char *name, rot_output_of *t
   for (int i = 0; i < WHOLE_RUN; i++) {
     to->kind = whole_run[i].kind;
     if (strcmp(base, whole_run[i].name)) continue;
-    return to->place == 0 && (to->kind != ROT_OUT_PERIOD || c->period_s);
+    return to->place == 0 && has_number(c, to->kind);
   }
   for (int i = 0; i < OF_COLUMN; i++) {
     const char *column = behind(base, of_column[i].prefix);
@@ -123,7 +135,7 @@ void rot_outputs_walk(const rot_constraint *c, const void *scene, rot_output_vis
   }
   for (int i = 0; i < WHOLE_RUN; i++) {
     if (whole_run[i].kind == ROT_OUT_STOP && !(c->events >> ROT_EVENT_STICK & 1u)) continue;
-    if (whole_run[i].kind == ROT_OUT_PERIOD && !c->period_s) continue;
+    if (!has_number(c, whole_run[i].kind)) continue;
     if (visit(whole_run[i].name, whole_run[i].unit, whole_run[i].words, ctx)) return;
   }
 }

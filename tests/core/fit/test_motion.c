@@ -119,7 +119,15 @@ static void derivatives(const motion_case *c) {
   const rot_fit_column column = column_named(scene, c->column);
   double t[N], value[N], slope[N], error, size = 0.0, worst = 0.0, off = 0.0, largest = 0.0;
   times_of(c, t);
-  const rot_fit_motion_plan plan = {scene, 1, &c->input, 1, &column, N, t, 1e-10, 1e6};
+  const rot_fit_motion_plan plan = {.scene = scene,
+                                    .n_inputs = 1,
+                                    .inputs = &c->input,
+                                    .n_columns = 1,
+                                    .columns = &column,
+                                    .n = N,
+                                    .time_s = t,
+                                    .accuracy = 1e-10,
+                                    .max_steps = 1e6};
   rot_fit_motion *m;
   rot_refusal no;
   ROT_CHECK(rot_fit_motion_open(&plan, &m, &no) == ROT_OK);
@@ -162,7 +170,15 @@ static void edges_and_clocks(void) {
   double t[N], value[2 * N], slope[2 * N], size = 0.0;
   const double x[] = {0.0, 3.0};
   for (int i = 0; i < N; i++) t[i] = 0.5 + 0.1 * i;
-  const rot_fit_motion_plan plan = {scene, 2, input, 2, columns, N, t, 1e-10, 1e6};
+  rot_fit_motion_plan plan = {.scene = scene,
+                              .n_inputs = 2,
+                              .inputs = input,
+                              .n_columns = 2,
+                              .columns = columns,
+                              .n = N,
+                              .time_s = t,
+                              .accuracy = 1e-10,
+                              .max_steps = 1e6};
   rot_fit_motion *m;
   rot_refusal no;
   ROT_CHECK(rot_fit_motion_open(&plan, &m, &no) == ROT_OK);
@@ -188,13 +204,82 @@ static void edges_and_clocks(void) {
   ROT_CHECK(rot_fit_motion_at(m, bad, 0.0, value, NULL) == ROT_EVALUE);
   rot_fit_motion_close(m);
   static const char *const unknown[] = {"omega0_rad_per_s", "mass"};
-  const rot_fit_motion_plan wrong = {scene, 2, unknown, 2, columns, N, t, 1e-10, 1e6};
-  ROT_CHECK(rot_fit_motion_open(&wrong, &m, &no) == ROT_EVALUE && no.input == 1 && !m);
+  plan.inputs = unknown;
+  ROT_CHECK(rot_fit_motion_open(&plan, &m, &no) == ROT_EVALUE && no.input == 1 && !m);
   rot_object_free(scene);
+}
+
+/* A motion of the caller's: a exp(-k t), and a jump by 1 where k t = 1. */
+typedef struct caller {
+  size_t calls, ends_at; /* the call that ends the fit; 0: none */
+  double lowest;         /* smaller k are refused */
+} caller;
+
+static rot_status decay(size_t record, const double input[], size_t n, const double time_s[],
+                        double value[], size_t events[], double *error, void *ctx) {
+  caller *c = ctx;
+  ROT_CHECK(record == 3);
+  if (++c->calls == c->ends_at) return ROT_EUNWIND;
+  if (input[1] < c->lowest) return ROT_EVALUE;
+  for (size_t i = 0; i < n; i++) {
+    events[i] = input[1] * time_s[i] >= 1.0;
+    value[i] = input[0] * exp(-input[1] * time_s[i]) + (double)events[i];
+    value[n + i] = time_s[i];
+  }
+  *error = 1e-15;
+  return ROT_OK;
+}
+
+static void motions_of_a_caller(void) {
+  enum { M = 12 };
+  double t[M], value[2 * M], slope[2 * M], error;
+  const double x[] = {2.0, 0.5};
+  for (int i = 0; i < M; i++) t[i] = 0.4 * i;
+  t[5] = 2.0 - 1e-7; /* just before the jump, and at it */
+  t[6] = 2.0;
+  caller c = {0};
+  const rot_fit_motion_plan plan = {
+      .n_inputs = 2, .n_columns = 2, .n = M, .time_s = t, .run = decay, .ctx = &c, .record = 3};
+  rot_fit_motion *m;
+  rot_refusal no;
+  ROT_CHECK(rot_fit_motion_open(&plan, &m, &no) == ROT_OK);
+  ROT_CHECK(rot_fit_motion_at(m, x, 0.0, value, &error) == ROT_OK && error == 1e-15);
+  double size[3] = {0.0};
+  for (size_t j = 0; j < 3; j++) {
+    ROT_CHECK(rot_fit_motion_slope(m, j, -DBL_MAX, DBL_MAX, &size[j], slope) == ROT_OK);
+    for (int i = 0; i < M; i++) {
+      const double e = exp(-0.5 * t[i]);
+      const double want = j == 0 ? e : j == 1 ? -2.0 * t[i] * e : -e;
+      ROT_CHECK(fabs(slope[i] - want) < 1e-7);
+      ROT_CHECK(fabs(slope[M + i] - (j == 2 ? 1.0 : 0.0)) < 1e-7);
+    }
+  }
+  ROT_CHECK(rot_fit_motion_model(m) == NULL && rot_fit_motion_runs(m) == c.calls);
+  /* A refused side leaves the other one. */
+  const double low[] = {2.0, 0.25};
+  c.lowest = 0.25;
+  ROT_CHECK(rot_fit_motion_at(m, low, 0.0, value, NULL) == ROT_OK);
+  ROT_CHECK(rot_fit_motion_slope(m, 1, 0.25, DBL_MAX, &size[1], slope) == ROT_OK);
+  for (int i = 0; i < M; i++) {
+    ROT_CHECK(fabs(slope[i] + 2.0 * t[i] * exp(-0.25 * t[i])) < 1e-6);
+  }
+  const double lower[] = {2.0, 0.125};
+  ROT_CHECK(rot_fit_motion_at(m, lower, 0.0, value, NULL) == ROT_EVALUE);
+  rot_fit_motion_close(m);
+  /* Nothing is called after the end. */
+  c = (caller){0, 3, 0.0};
+  ROT_CHECK(rot_fit_motion_open(&plan, &m, &no) == ROT_OK);
+  ROT_CHECK(rot_fit_motion_at(m, x, 0.0, value, &error) == ROT_OK);
+  ROT_CHECK(rot_fit_motion_slope(m, 1, -DBL_MAX, DBL_MAX, &size[1], slope) == ROT_EUNWIND);
+  ROT_CHECK(rot_fit_motion_slope(m, 0, -DBL_MAX, DBL_MAX, &size[0], slope) == ROT_EUNWIND);
+  ROT_CHECK(rot_fit_motion_at(m, low, 0.0, value, &error) == ROT_EUNWIND);
+  ROT_CHECK(c.calls == 3);
+  rot_fit_motion_close(m);
 }
 
 int main(void) {
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) derivatives(&cases[i]);
   edges_and_clocks();
+  motions_of_a_caller();
   return rot_test_report("fit_motion");
 }
