@@ -73,7 +73,7 @@ static void number_of(const char *format, double x, double scale, double relativ
 }
 
 /* A figure of rounding depends on the last bits of the functions. Another build of GSL contracts
- * the steps of an integrator: then it takes others, and its estimates are as large, not the same. */
+ * the steps of an integrator: then it takes others, and estimates differ. */
 static void figure_of(double x, int estimate) {
   const int rounding = fabs(x) < 1e-9;
   if (estimate && other_build)
