@@ -5,12 +5,13 @@ sentence <- function(text) {
   text
 }
 
-# "an annulus", "a half disk"; "a uniform rod", "an hour".
+# "an annulus", "a half disk"; "a uniform rod", "an hour"; "points" and other names of several.
 with_article <- function(name) {
   # Its axle is at the end; a scene says so.
   name <- gsub("_", " ", sub("^point$", "point mass", sub("^rod_end$", "rod", name)))
   vowel <- grepl("^([aeio]|u(?!ni|s[aei]))", name, ignore.case = TRUE, perl = TRUE)
-  paste(ifelse(vowel, "an", "a"), name)
+  several <- grepl("[^sui]s$", name)
+  ifelse(several, name, paste(ifelse(vowel, "an", "a"), name))
 }
 
 # "a disk" for the body of a scene, "a body" for one that is its moments.

@@ -8,6 +8,10 @@ test_that("articles are right", {
     c("an annulus", "a disk", "an elliptic plate", "a half disk", "an octahedron", "a uniform rod",
       "an urn")
   )
+  expect_equal(
+    rotdyn:::with_article(c("points", "weights", "glass", "torus", "axis")),
+    c("points", "weights", "a glass", "a torus", "an axis")
+  )
 })
 
 test_that("unknown arguments and letters of no size are refused by every picture", {
