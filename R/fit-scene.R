@@ -270,17 +270,17 @@ check_priors <- function(prior, about, call) {
 # (a path or a column), the record that has it for itself (0: all).
 fit_parameters <- function(about) {
   records <- seq_along(about$records)
-  rows <- list()
-  add <- function(kind, of, record) {
-    rows[[length(rows) + 1L]] <<- list(kind = kind, of = of, record = record)
-  }
-  for (path in about$unknown) {
-    for (r in if (path %in% about$per_record) records else 0L) add("input", path, r)
-  }
-  for (column in about$offset) add("offset", column, 0L)
-  for (column in about$factor) add("factor", column, 0L)
-  if (about$clock) for (r in records) add("clock", "time_s", r)
-  rows <- do.call(rbind, lapply(rows, as.data.frame))
+  each <- lapply(about$unknown, function(path) if (path %in% about$per_record) records else 0L)
+  others <- c(about$offset, about$factor)
+  clocks <- if (about$clock) records
+  rows <- list(
+    kind = rep(c("input", "offset", "factor", "clock"), c(
+      sum(lengths(each)), length(about$offset), length(about$factor), length(clocks)
+    )),
+    of = c(rep(about$unknown, lengths(each)), others, rep("time_s", length(clocks))),
+    record = c(unlist(each), rep(0L, length(others)), clocks)
+  )
+  rows <- list2DF(rows)
   rows$label <- ifelse(rows$kind == "input", rows$of, paste(rows$kind, "of", rows$of))
   single <- rows$record == 0L | length(records) == 1L
   rows$name <- ifelse(single, rows$label, paste0(rows$label, " (", rows$record, ")"))
