@@ -124,3 +124,14 @@ test_that("every export is used in a lesson or in an example", {
   called <- matches("[A-Za-z_.][A-Za-z0-9_.]*(?=\\()")
   expect_identical(setdiff(getNamespaceExports("rotdyn"), called), character())
 })
+
+test_that("the site's index has every page, once", {
+  file <- file.path(Sys.getenv("ROTDYN_ROOT"), "_pkgdown.yml")
+  skip_if(!file.exists(file), "the sources are not here")
+  text <- paste(readLines(file), collapse = " ")
+  lists <- regmatches(text, gregexpr("contents: \\[[^]]*\\]", text))[[1]]
+  listed <- unlist(strsplit(gsub("contents: \\[|\\]", "", lists), ", *"))
+  listed <- trimws(listed)
+  expect_identical(listed[duplicated(listed)], character())
+  expect_setequal(listed, sub("[.]Rd$", "", names(help_pages())))
+})
