@@ -13,7 +13,9 @@ sh tools/library.sh "$library" || exit 1
 # So that the loader finds it, under Linux and macOS.
 LD_LIBRARY_PATH=$library/lib${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}
 DYLD_LIBRARY_PATH=$library/lib${DYLD_LIBRARY_PATH:+:$DYLD_LIBRARY_PATH}
-ROTDYN_LIBRARY=$(ls "$library"/lib/librotdyn.*.[0-9] "$library"/lib/librotdyn.[0-9].* 2> /dev/null)
+# The name that programs link: librotdyn.so.1, librotdyn.1.dylib.
+ROTDYN_LIBRARY=$(ls "$library"/lib/librotdyn.so.[0-9] "$library"/lib/librotdyn.[0-9].dylib \
+  2> /dev/null | head -n 1)
 export LD_LIBRARY_PATH DYLD_LIBRARY_PATH ROTDYN_LIBRARY
 
 passed=0 failed=0 skipped=0
