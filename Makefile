@@ -5,7 +5,7 @@
 .PHONY: check-valgrind check-databases check-nosuggests check-manual check-coverage check-fuzz check-fuzz-sanitized
 .PHONY: check-kill-sweep check-remote check-architectures check-completion manpages deb check-cran paper
 .PHONY: map check-animations check-damage check-interrupt check-lessons check-long check-measurement check-mutants check-scenes library examples
-.PHONY: lab site check-lab check-browsers
+.PHONY: lab site check-lab check-browsers check-faces
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' $(firstword $(MAKEFILE_LIST)) | expand -t 30
@@ -54,6 +54,9 @@ site: ## the site of the package in site/, with the lab: pkgdown, offline
 
 check-lab: ## the lab: numbers beside the native core, every control by the keyboard in Chromium
 	@sh tools/check-lab.sh
+
+check-faces: ## scenes through R, the command line, the C library, Python and WebAssembly: the same
+	@sh tools/check-faces.sh
 
 check-browsers: ## the lab in Firefox and WebKit beside Chromium: SHOTS= a folder for pictures
 	@sh tools/check-browsers.sh

@@ -17,9 +17,10 @@ core_effects <- function(constraint, scene) .Call(ffi_choice_effects, constraint
 # All models on a scene, cheapest first: named columns
 #   model, error_kind   as above
 #   applies   it takes the scene, or the scene without `dropped`, and promises the accuracy
-#   error     promised relative error, with what dropping changes
+#   error     promised relative error, with what dropping changes; on trial that of the run
 #   cost_s    predicted time
-#   reason    why it does not apply, or what was dropped, in words; NA where it applies unchanged
+#   chosen    TRUE for the first that applies
+#   reason    why it is chosen, would do, or does not apply; or what was dropped
 #   dropped   list: NULL, or list(effects, until_s, errors = c(theta, omega), error, each): bounds
 #             on what leaving the effects out changes, up to until_s; error, and omega's share
 #             effect by effect (each), relative to the size of the motion

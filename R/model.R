@@ -110,10 +110,10 @@ judge_model <- function(record, constraint, scene, time_s, accuracy, drop, call)
   )
 }
 
-# (scene, times, accuracy) => all models, cheapest first, in the columns of core_candidates(). An
-# effect is left out only where no closed form takes the scene unchanged.
-candidates <- function(constraint, scene, time_s, accuracy, call, law_s = 1e-6) {
-  if (constraint$core) return(core_candidates(constraint$id, scene, time_s, accuracy, law_s))
+# (scene, times, accuracy) => all models of a constraint of R, cheapest first, in the columns of
+# core_candidates() but for `chosen`; reason: NA where one applies unchanged. An effect is left out
+# only where no closed form takes the scene unchanged.
+candidates <- function(constraint, scene, time_s, accuracy, call) {
   judge <- function(drop) {
     rows <- lapply(
       unname(constraint$models), judge_model, constraint, scene, time_s, accuracy, drop, call
@@ -223,33 +223,35 @@ choose_model <- function(scene, time_s, accuracy = 1e-9, ...) {
   } else {
     tryCatch(call_seconds(once), error = function(e) if (is_time_limit(e)) stop(e) else 1e-6)
   }
-  table <- candidates(constraint, scene, time_s, accuracy, call, law_s)
-  records <- constraint$models[table$model]
-  tried <- double()
-  for (i in which(table$applies)) {
-    if (!isTRUE(records[[i]]$on_trial)) next
-    fit <- new_fit(records[[i]], constraint, scene, NULL)
-    fit <- try_model(fit, time_s, accuracy, 1e6, call)
-    table$error[i] <- fit$result$info$error
-    tried <- c(tried, table$error[i])
-    table$applies[i] <- is.null(fit$reason)
-    table$reason[i] <- fit$reason %||% NA
+  choice <- if (constraint$core) {
+    core_candidates(constraint$id, scene, time_s, accuracy, law_s)
+  } else {
+    choose_in_r(constraint, scene, time_s, accuracy, call)
   }
-  chosen <- match(TRUE, table$applies)
-  if (is.na(chosen)) abort_no_model(constraint, scene, time_s, accuracy, tried, call)
-  reason <- table$reason
-  reason[is.na(reason)] <- paste0("fits, but ", table$model[chosen], " is cheaper")
-  if (is.na(table$reason[chosen])) reason[chosen] <- records[[chosen]]$why
-  n <- length(reason)
-  choice <- c(
-    unclass(table)[c("model", "applies", "error", "error_kind", "cost_s")],
-    list(chosen = seq_len(n) == chosen, reason = reason)
-  )
+  if (!any(choice$chosen)) {
+    tried <- choice$error[vapply(constraint$models[choice$model], function(record) {
+      isTRUE(record$on_trial)
+    }, NA)]
+    abort_no_model(constraint, scene, time_s, accuracy, tried, call)
+  }
+  choice <- choice[c("model", "applies", "error", "error_kind", "cost_s", "chosen", "reason")]
+  n <- length(choice$model)
   attributes(choice) <- list( # new_table() takes a third of the time of all
     names = names(choice), class = c("rot_model_choice", "tbl_df", "tbl", "data.frame"),
     row.names = c(NA_integer_, -n)
   )
   choice
+}
+
+# The same for a constraint whose models are R's.
+choose_in_r <- function(constraint, scene, time_s, accuracy, call) {
+  table <- candidates(constraint, scene, time_s, accuracy, call)
+  chosen <- match(TRUE, table$applies)
+  table$chosen <- seq_along(table$model) %in% chosen
+  without <- is.na(table$reason)
+  table$reason[without] <- paste0("fits, but ", table$model[chosen], " is cheaper")
+  if (isTRUE(without[chosen])) table$reason[chosen] <- constraint$models[[table$model[chosen]]]$why
+  table
 }
 
 only_by_name <- "it runs only where it is named" # src/core/scene/choice.c

@@ -16,9 +16,10 @@ trap 'exit 1' HUP INT TERM
 fail() { echo "lab: $*" >&2; exit 1; }
 
 CC=${CC:-cc}
-flags="-std=c99 -O2 -ffp-contract=off"
+sanitizers=""
 test "$SANITIZED" != yes ||
-  flags="$flags -g -fsanitize=address,undefined -fno-sanitize-recover=all"
+  sanitizers="-g -fsanitize=address,undefined -fno-sanitize-recover=all"
+flags="-std=c99 -O2 -ffp-contract=off $sanitizers"
 gsl_flags=$(pkg-config --cflags gsl 2> /dev/null)
 gsl_libs=$(pkg-config --libs gsl 2> /dev/null || echo "-lgsl -lgslcblas -lm")
 # shellcheck disable=SC2086
@@ -29,13 +30,7 @@ $CC $flags -Iweb/core/few -c web/tests/gsl_few_names.c -o "$work/names.o" &&
 # The same entries, native and with GSL: a program that answers lines.
 if test -z "$LAB_NATIVE"; then
   LAB_NATIVE=$work/native
-  jobs=$(getconf _NPROCESSORS_ONLN 2> /dev/null || echo 1)
-  # shellcheck disable=SC2086
-  { find src/core web/core -name '*.c' ! -name gsl_few.c; echo web/tests/native.c; } |
-    xargs -P "$jobs" -I{} sh -c 'file=$1 dir=$2; shift 2
-    "$@" -c "$file" -o "$dir/core-$(echo "${file%.c}" | tr / -).o"' \
-    build {} "$work" $CC $flags $gsl_flags -Isrc/core -Iinst/include &&
-    $CC "$work"/core-*.o $gsl_libs -o "$LAB_NATIVE" || fail "the native program does not compile"
+  CFLAGS=$sanitizers sh tools/lab-native.sh "$LAB_NATIVE" || exit 1
 fi
 
 if test -n "$LAB_WASM"; then cp "$LAB_WASM" "$work/lab.wasm"

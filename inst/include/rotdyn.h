@@ -168,10 +168,10 @@ typedef struct rotdyn_candidate {
   size_t size;
   const char *model;
   int applies;
-  double error;       /* relative, promised */
+  double error;       /* relative, promised; of a model on trial that of its run */
   int error_is_bound; /* else an estimate */
   double cost_s;      /* predicted time */
-  char reason[512];   /* why it does not apply, or what it ignores; else empty */
+  char reason[512];   /* why it is chosen, would do, does not apply, or what it ignores */
 } rotdyn_candidate;
 
 /* change = supplied - dissipated + residual, of one quantity between two times. */

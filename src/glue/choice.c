@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "scene/choice.h"
+#include "scene/run.h"
 
 /* ---- questions ------------------------------------------------------------------------------- */
 
@@ -117,17 +118,29 @@ SEXP ffi_choice_models(void) {
   return out;
 }
 
-/* => list of the candidates, cheapest first, a column for each field: see R/choice.R */
+/* => list of the candidates, cheapest first, a column for each field: see R/choice.R. Those on
+ * trial run. */
 SEXP ffi_choice_table(SEXP constraint, SEXP scene, SEXP time_s, SEXP accuracy, SEXP law_s) {
-  static const char *const names[] = {"model",  "applies", "error",   "error_kind",
-                                      "cost_s", "reason",  "dropped", ""};
-  static const SEXPTYPE types[] = {STRSXP, LGLSXP, REALSXP, STRSXP, REALSXP, STRSXP, VECSXP};
+  enum { FIELDS = 8 };
+  static const char *const names[] = {
+      "model", "applies", "error", "error_kind", "cost_s", "chosen", "reason", "dropped", ""};
+  static const SEXPTYPE types[] = {STRSXP,  LGLSXP, REALSXP, STRSXP,
+                                   REALSXP, LGLSXP, STRSXP,  VECSXP};
   question q;
   rot_candidate all[ROT_MAX_MODELS];
   read_question(constraint, scene, time_s, accuracy, law_s, &q);
-  const size_t n = rot_choice_candidates(q.constraint, q.scene, &q.query, all);
-  SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names)), c[7];
-  for (int i = 0; i < 7; i++) SET_VECTOR_ELT(out, i, c[i] = Rf_allocVector(types[i], (R_xlen_t)n));
+  const rot_task task = {.n = q.query.n,
+                         .time_s = q.query.time_s,
+                         .accuracy = q.query.accuracy,
+                         .max_steps = 1000000 + q.query.n};
+  size_t n;
+  const size_t chosen =
+      rot_run_candidates(q.constraint, q.scene, &task, q.query.law_s, NULL, all, &n);
+  char text[1024];
+  SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names)), c[FIELDS];
+  for (int i = 0; i < FIELDS; i++) {
+    SET_VECTOR_ELT(out, i, c[i] = Rf_allocVector(types[i], (R_xlen_t)n));
+  }
   for (size_t i = 0; i < n; i++) {
     const R_xlen_t row = (R_xlen_t)i;
     SET_STRING_ELT(c[0], row, Rf_mkChar(all[i].model->id));
@@ -135,8 +148,10 @@ SEXP ffi_choice_table(SEXP constraint, SEXP scene, SEXP time_s, SEXP accuracy, S
     REAL(c[2])[i] = all[i].error;
     SET_STRING_ELT(c[3], row, Rf_mkChar(kind_text(all[i].model)));
     REAL(c[4])[i] = all[i].cost_s;
-    SET_STRING_ELT(c[5], row, reason_text(q.constraint, &all[i]));
-    SET_VECTOR_ELT(c[6], row, dropped_list(q.constraint, &all[i]));
+    LOGICAL(c[5])[i] = i == chosen;
+    rot_run_reason(q.constraint, n, all, chosen, i, sizeof text, text);
+    SET_STRING_ELT(c[6], row, Rf_mkChar(text));
+    SET_VECTOR_ELT(c[7], row, dropped_list(q.constraint, &all[i]));
   }
   UNPROTECT(1);
   return out;

@@ -22,9 +22,20 @@ int rotdyn_scene_candidate(const rotdyn_object *scene, size_t n, const double *t
   if (status == ROTDYN_OK && !out) status = ROTDYN_EARGUMENT;
   if (status == ROTDYN_OK) {
     const rot_constraint *c = w.built.constraint;
-    const rot_query query = {n, time_s, w.options.accuracy, w.options.law_call_s};
-    const size_t count = rot_choice_candidates(c, w.built.scene, &query, all);
-    status = k < count ? rot_api_candidate(c, &all[k], out) : ROTDYN_EEND;
+    const rot_task task = {.n = n,
+                           .time_s = time_s,
+                           .accuracy = w.options.accuracy,
+                           .max_steps = (size_t)fmin(w.options.max_steps, 1e15) + n};
+    char reason[512];
+    size_t count;
+    const size_t chosen =
+        rot_run_candidates(c, w.built.scene, &task, w.options.law_call_s, &w.hooks, all, &count);
+    if (k < count) {
+      rot_run_reason(c, count, all, chosen, k, sizeof reason, reason);
+      status = rot_api_candidate(&all[k], reason, out);
+    } else {
+      status = ROTDYN_EEND;
+    }
   }
   return rot_api_close(status, &w, NULL);
 }

@@ -90,15 +90,14 @@ const char *rot_api_options(const rotdyn_options *from, rotdyn_options *to) {
   return NULL;
 }
 
-rotdyn_status rot_api_candidate(const rot_constraint *constraint, const rot_candidate *c,
-                                rotdyn_candidate *out) {
+rotdyn_status rot_api_candidate(const rot_candidate *c, const char *reason, rotdyn_candidate *out) {
   rotdyn_candidate x = {0};
   x.model = c->model->id;
   x.applies = c->applies;
   x.error = c->error;
   x.error_is_bound = c->model->error_kind == ROT_BOUND;
   x.cost_s = c->cost_s;
-  rot_choice_reason(constraint, c, sizeof x.reason, x.reason);
+  (void)snprintf(x.reason, sizeof x.reason, "%s", reason);
   return rot_api_give(&x, sizeof x, out) ? ROTDYN_OK : ROTDYN_EARGUMENT;
 }
 

@@ -27,7 +27,7 @@ int rot_api_times(size_t n, const double t[]);
 const char *rot_api_options(const rotdyn_options *from, rotdyn_options *to);
 
 /* candidate => the caller's struct */
-rotdyn_status rot_api_candidate(const rot_constraint *constraint, const rot_candidate *candidate,
+rotdyn_status rot_api_candidate(const rot_candidate *candidate, const char *reason,
                                 rotdyn_candidate *out);
 /* No model fits => status and reason: the accuracy, or no model applies to the scene. */
 rotdyn_status rot_api_none_fits(const rot_constraint *constraint, const void *scene,

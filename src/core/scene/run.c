@@ -5,6 +5,7 @@
 #include <float.h>
 #include <math.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -310,6 +311,35 @@ rot_run_end rot_run(const rot_constraint *constraint, const void *scene, const c
   }
   free(j.memory);
   return end;
+}
+
+size_t rot_run_candidates(const rot_constraint *constraint, const void *scene, const rot_task *task,
+                          double law_s, const rot_hooks *hooks, rot_candidate all[], size_t *n) {
+  const rot_query query = {task->n, task->time_s, task->accuracy, law_s};
+  size_t chosen = 0;
+  *n = rot_choice_candidates(constraint, scene, &query, all);
+  for (size_t i = 0; i < *n; i++) {
+    if (!all[i].applies || all[i].model->use != ROT_ON_TRIAL) continue;
+    rot_outcome o;
+    o.events = (rot_events){0};
+    rot_run_model(constraint, scene, all[i].model, task, NULL, &o, hooks);
+    rot_events_free(&o.events);
+    all[i].error = o.info.status == ROT_OK ? o.error : INFINITY;
+    all[i].applies = all[i].error <= task->accuracy;
+  }
+  while (chosen < *n && !all[chosen].applies) chosen++;
+  return chosen;
+}
+
+void rot_run_reason(const rot_constraint *constraint, size_t n, const rot_candidate all[],
+                    size_t chosen, size_t k, size_t size, char text[]) {
+  rot_choice_reason(constraint, &all[k], size, text);
+  if (*text || chosen == n) return;
+  if (k == chosen) {
+    (void)snprintf(text, size, "%s", all[k].model->why);
+  } else {
+    (void)snprintf(text, size, "fits, but %s is cheaper", all[chosen].model->id);
+  }
 }
 
 /* ---- balances -------------------------------------------------------------------------------- */

@@ -45,6 +45,15 @@ void rot_run_model(const rot_constraint *constraint, const void *scene, const ro
                    const rot_task *task, const rot_rows *want, rot_outcome *out,
                    const rot_hooks *hooks);
 
+/* (scene, task) => all models, cheapest first, as rot_choice_candidates(); those on trial have run,
+ * and have the errors of their runs. *n: how many. => place of the one that rot_run() takes, or *n
+ */
+size_t rot_run_candidates(const rot_constraint *constraint, const void *scene, const rot_task *task,
+                          double law_s, const rot_hooks *hooks, rot_candidate all[], size_t *n);
+/* Why candidate k is chosen, would do, or does not apply. */
+void rot_run_reason(const rot_constraint *constraint, size_t n, const rot_candidate all[],
+                    size_t chosen, size_t k, size_t size, char text[]);
+
 /* (scene, effects, column) => 1 if rows of the scene show the column, else 0. */
 int rot_run_shows(const rot_constraint *constraint, const void *scene, unsigned effects,
                   size_t column);

@@ -104,9 +104,9 @@ double rot_fixed_task_step_s(const rot_task *task, double start_s,
              : rot_fixed_step_s(time_scales, span_of(task->n, task->time_s, start_s));
 }
 
-double rot_fixed_cost_s(const rot_model *model, const rot_query *query, double start_s,
+double rot_fixed_cost_s(const rot_model *model, const rot_query *query, double start_s, int calls,
                         const rot_time_scales *time_scales) {
   const double span = span_of(query->n, query->time_s, start_s);
   const double steps = fmin(span / rot_fixed_step_s(time_scales, span), 1e300) + (double)query->n;
-  return 3.0 * steps * (model->seconds[0] + query->law_s);
+  return 3.0 * steps * (model->seconds[0] + (calls ? query->law_s : 0.0));
 }

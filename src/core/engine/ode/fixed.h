@@ -29,8 +29,8 @@ rot_status rot_ode_run_fixed(const rot_ode_params *p, const rot_ode_output *out,
 double rot_fixed_step_s(const rot_time_scales *time_scales, double span_s);
 double rot_fixed_task_step_s(const rot_task *task, double start_s,
                              const rot_time_scales *time_scales);
-/* Predicted time of a run: seconds of a step. */
-double rot_fixed_cost_s(const rot_model *model, const rot_query *query, double start_s,
+/* Predicted time of a run: seconds of a step. `calls`: the scene has a law of the caller. */
+double rot_fixed_cost_s(const rot_model *model, const rot_query *query, double start_s, int calls,
                         const rot_time_scales *time_scales);
 
 /* The three models of a constraint, items of its list, and their runs. */

@@ -178,5 +178,5 @@ double rot_system_fixed_s(const rot_system *system, const rot_model *model, cons
                           const rot_query *query) {
   const rot_system_start s = system->start(scene);
   const rot_time_scales time_scales = time_scales_of_start(system, scene, &s);
-  return rot_fixed_cost_s(model, query, s.start_s, &time_scales);
+  return rot_fixed_cost_s(model, query, s.start_s, 0, &time_scales);
 }

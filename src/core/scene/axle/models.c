@@ -227,10 +227,12 @@ static double radau_s(const rot_model *model, const void *scene, const rot_query
 
 /* ---- models ---------------------------------------------------------------------------------- */
 
-static double fixed_s(const rot_model *model, const void *scene, const rot_query *query) {
+static double fixed_s(const rot_model *model, const void *of, const rot_query *query) {
+  const rot_axle_scene *scene = of;
   rot_time_scales time_scales;
   rot_axle_time_scales_of_start(scene, &time_scales);
-  return rot_fixed_cost_s(model, query, rot_axle_start_s(scene), &time_scales);
+  return rot_fixed_cost_s(model, query, rot_axle_start_s(scene), scene->linear.torque.call != NULL,
+                          &time_scales);
 }
 
 #define ALL ((1u << ROT_AXLE_EFFECTS) - 1u)

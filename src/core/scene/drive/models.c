@@ -105,6 +105,17 @@ static int calls(const rot_drive_friction *friction) {
   return friction->law.linear.torque.call != NULL;
 }
 
+/* => 1 if the scene has a law of the caller */
+static int calls_law(const rot_drive_scene *scene) {
+  for (size_t i = 0; i < scene->n; i++) {
+    if (scene->rotor[i].linear.torque.call) return 1;
+    if (scene->brake[i].acts && calls(&scene->brake[i])) return 1;
+    if (i + 1 < scene->n && scene->coupling[i].friction.acts && calls(&scene->coupling[i].friction))
+      return 1;
+  }
+  return 0;
+}
+
 /* As of an axle (scene/axle/models.c), with a right-hand side per rotor. model->seconds: step rate,
  * its power, decay times, later steps; for explicit and implicit steps. */
 static double integrated_s(const rot_model *model, const void *of, const rot_query *query,
@@ -114,22 +125,18 @@ static double integrated_s(const rot_model *model, const void *of, const rot_que
   const double from = query->n ? fmin(scene->start_s, query->time_s[0]) : scene->start_s;
   const double to = query->n ? fmax(scene->start_s, query->time_s[query->n - 1]) : scene->start_s;
   double swing, decay, breaks = 0.0;
-  int called = 0;
   rates_of(scene, &swing, &decay);
   for (size_t i = 0; i < scene->n; i++) {
     const rot_axle_scene *r = &scene->rotor[i];
     breaks += (double)(rot_lower_bound(r->n_breaks, r->breaks_s, to) -
                        rot_lower_bound(r->n_breaks, r->breaks_s, from));
-    called |= r->linear.torque.call || (scene->brake[i].acts && calls(&scene->brake[i])) ||
-              (i + 1 < scene->n && scene->coupling[i].friction.acts &&
-               calls(&scene->coupling[i].friction));
   }
   const double decays = fmin(decay * (to - from), 1e300);
   const double rate = s[0] * pow(fmax(query->accuracy, model->promise), s[1]);
   const double after = s[3] * fmax(0.0, implicit ? log10(decays) : decays - s[2]);
   const double steps =
       12.0 + 3.0 * breaks + rate * fmax(swing * (to - from), fmin(decays, s[2])) + after;
-  const double call_s = 120e-9 * n + (called ? query->law_s : 0.0);
+  const double call_s = 120e-9 * n + (calls_law(scene) ? query->law_s : 0.0);
   return 10e-6 + steps * (implicit ? (28.0 + 6.0 * n) * call_s + 3e-6 * n * n : 20.4 * call_s) +
          rows * n * 0.6e-6;
 }
@@ -181,7 +188,7 @@ static double exact_s(const rot_model *model, const void *of, const rot_query *q
 static double fixed_s(const rot_model *model, const void *of, const rot_query *query) {
   rot_time_scales time_scales;
   rot_drive_time_scales_of_start(of, &time_scales);
-  return rot_fixed_cost_s(model, query, rot_drive_start_s(of), &time_scales);
+  return rot_fixed_cost_s(model, query, rot_drive_start_s(of), calls_law(of), &time_scales);
 }
 
 static const rot_model models[] = {

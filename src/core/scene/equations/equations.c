@@ -243,7 +243,7 @@ static double adaptive_s(const rot_model *model, const void *scene, const rot_qu
 
 static double fixed_s(const rot_model *model, const void *scene, const rot_query *query) {
   const rot_time_scales unknown = {INFINITY, 0.0};
-  return rot_fixed_cost_s(model, query, start_s(scene), &unknown);
+  return rot_fixed_cost_s(model, query, start_s(scene), 1, &unknown);
 }
 
 static const char *needs_positions(const void *scene, const rot_query *query) {

@@ -70,7 +70,8 @@ static double radau_s(const rot_model *model, const void *scene, const rot_query
 static double fixed_s(const rot_model *model, const void *of, const rot_query *query) {
   rot_time_scales of_start;
   rot_incline_time_scales_of_start(of, &of_start);
-  return rot_fixed_cost_s(model, query, rot_incline_start(of), &of_start);
+  const rot_incline_scene *scene = of;
+  return rot_fixed_cost_s(model, query, rot_incline_start(of), scene->force != NULL, &of_start);
 }
 
 static const rot_model models[ROT_INCLINE_MODELS] = {
