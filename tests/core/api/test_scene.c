@@ -757,8 +757,12 @@ static void check_choice(void) {
   const double end = 8.0;
   double cost = 0.0;
   size_t k = 0;
+  int chosen = 0;
   for (; rotdyn_scene_candidate(scene, 1, &end, NULL, k, &c) == ROTDYN_OK; k++) {
-    ROT_CHECK(c.cost_s >= cost && (c.applies || *c.reason));
+    ROT_CHECK(c.cost_s >= cost && *c.reason);
+    ROT_CHECK(!c.applies || strstr(c.reason, chosen ? "fits, but axle_linear is cheaper"
+                                                    : "viscous resistance: closed form"));
+    chosen |= c.applies;
     cost = c.cost_s;
   }
   ROT_CHECK_EQ_INT(k, 13);
@@ -801,6 +805,27 @@ static void check_choice(void) {
 /* ---- rotors, clutches, drives ---------------------------------------------------------------- */
 
 /* Two equal rotors drivened against each other: theta_1 = a cos(sqrt(2 k/J) t). */
+/* A model on trial runs: its error is what the shaft twists. */
+static void check_trials(void) {
+  static const double stiffness[] = {1e2, 1e22}, bodies[] = {1.0, 2.0}, torque[] = {1.0, 0.0};
+  const double end = 4.0;
+  for (int i = 0; i < 2; i++) {
+    rotdyn_object *scene = rotdyn_object_new("scene_rotors");
+    rotdyn_candidate rigid = ROTDYN_INIT(rotdyn_candidate), modal = rigid;
+    (void)rotdyn_set_numbers(scene, "bodies", 2, bodies);
+    (void)rotdyn_set_number(scene, "stiffness_n_m_per_rad", stiffness[i]);
+    (void)rotdyn_set_numbers(scene, "torque", 2, torque);
+    ROT_CHECK(!rotdyn_scene_candidate(scene, 1, &end, NULL, 0, &rigid));
+    ROT_CHECK(!rotdyn_scene_candidate(scene, 1, &end, NULL, 1, &modal));
+    ROT_CHECK(!strcmp(rigid.model, "rotors_rigid") && !strcmp(modal.model, "rotors_modal"));
+    ROT_CHECK(rigid.applies == i && modal.applies == 1);
+    ROT_CHECK(i ? rigid.error < 1e-9 : rigid.error > 1e-4 && rigid.error < 1.0);
+    ROT_CHECK(strstr(rigid.reason, i ? "turns as one body" : "exceeds the accuracy asked"));
+    ROT_CHECK(strstr(modal.reason, i ? "fits, but rotors_rigid is cheaper" : "modes are exact"));
+    rotdyn_object_free(scene);
+  }
+}
+
 static void check_rotors(void) {
   rotdyn_object *scene = rotdyn_object_new("scene_rotors");
   static const char *const names[] = {"theta_rad", "rotational_kinetic_energy_j",
@@ -1225,6 +1250,7 @@ int main(void) {
   check_events();
   check_choice();
   check_rotors();
+  check_trials();
   check_clutch();
   check_drive();
   check_places();
