@@ -4,7 +4,11 @@ arguments <- commandArgs(trailingOnly = TRUE)
 site <- arguments[1]
 only <- if (length(arguments) > 1 && nzchar(arguments[2])) strsplit(arguments[2], " ")[[1]]
 options(pkgdown.internet = FALSE)
-pkg <- pkgdown::as_pkgdown(".", override = list(destination = site))
+# Pages with examples are made in another folder, where a relative path leads nowhere.
+templates <- normalizePath(file.path("tools", "site"))
+pkg <- pkgdown::as_pkgdown(
+  ".", override = list(destination = site, template = list(path = templates))
+)
 pkgdown::init_site(pkg)
 pkgdown::build_home(pkg, preview = FALSE)
 pkgdown::build_reference(pkg, lazy = FALSE, preview = FALSE, devel = FALSE,
