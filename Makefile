@@ -5,7 +5,7 @@
 .PHONY: check-valgrind check-databases check-nosuggests check-manual check-coverage check-fuzz check-fuzz-sanitized
 .PHONY: check-kill-sweep check-remote check-architectures check-completion manpages deb check-cran paper
 .PHONY: map check-animations check-damage check-interrupt check-lessons check-long check-measurement check-mutants check-scenes library examples
-.PHONY: lab site check-lab check-browsers check-faces
+.PHONY: lab site check-lab check-browsers check-faces check-site
 
 help: ## this list
 	@sed -n 's/^\([a-z-]*\):.*## /  make \1\t/p' $(firstword $(MAKEFILE_LIST)) | expand -t 30
@@ -51,6 +51,9 @@ lab: ## the page of the lab, inst/lab, from web/ and the core
 site: ## the site of the package in site/, with the lab: pkgdown, offline
 	@sh tools/install.sh --no-build-vignettes
 	@sh tools/site.sh
+
+check-site: ## the site in Chromium: axe-core, no request to elsewhere, search, pictures: SITE= where
+	@sh tools/check-site.sh
 
 check-lab: ## the lab: numbers beside the native core, every control by the keyboard in Chromium
 	@sh tools/check-lab.sh

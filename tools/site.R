@@ -21,6 +21,10 @@ if (is.null(only)) {
   pkgdown::build_articles_index(pkg)
 }
 pkgdown::build_search(pkg)
+# Sections without text have entries that are empty.
+index <- file.path(site, "search.json")
+entries <- Filter(function(entry) length(entry$title), jsonlite::read_json(index))
+jsonlite::write_json(entries, index, auto_unbox = TRUE)
 
 # ---- formulas ------------------------------------------------------------------------------------
 
