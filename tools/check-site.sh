@@ -1,6 +1,6 @@
 #!/bin/sh
 # `make check-site`: builds the site (SITE=: one that is there), then looks at it in Chromium
-# (web/tests/site.mjs): accessibility of each kind of page, no request to elsewhere, search, pictures.
+# (web/tests/site.mjs): accessibility of each kind of page, requests to elsewhere, search, pictures.
 # Closes with `site: N passed, N failed`.
 cd "$(dirname "$0")/.." || exit 1
 . tools/web.sh
