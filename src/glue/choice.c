@@ -134,8 +134,7 @@ SEXP ffi_choice_table(SEXP constraint, SEXP scene, SEXP time_s, SEXP accuracy, S
                          .accuracy = q.query.accuracy,
                          .max_steps = 1000000 + q.query.n};
   size_t n;
-  const size_t chosen =
-      rot_run_candidates(q.constraint, q.scene, &task, q.query.law_s, NULL, all, &n);
+  const size_t chosen = rot_run_candidates(q.constraint, q.scene, &task, q.query.law_s, all, &n);
   char text[1024];
   SEXP out = PROTECT(Rf_mkNamed(VECSXP, (const char **)names)), c[FIELDS];
   for (int i = 0; i < FIELDS; i++) {

@@ -29,7 +29,7 @@ int rotdyn_scene_candidate(const rotdyn_object *scene, size_t n, const double *t
     char reason[512];
     size_t count;
     const size_t chosen =
-        rot_run_candidates(c, w.built.scene, &task, w.options.law_call_s, &w.hooks, all, &count);
+        rot_run_candidates(c, w.built.scene, &task, w.options.law_call_s, all, &count);
     if (k < count) {
       rot_run_reason(c, count, all, chosen, k, sizeof reason, reason);
       status = rot_api_candidate(&all[k], reason, out);

@@ -314,7 +314,7 @@ rot_run_end rot_run(const rot_constraint *constraint, const void *scene, const c
 }
 
 size_t rot_run_candidates(const rot_constraint *constraint, const void *scene, const rot_task *task,
-                          double law_s, const rot_hooks *hooks, rot_candidate all[], size_t *n) {
+                          double law_s, rot_candidate all[], size_t *n) {
   const rot_query query = {task->n, task->time_s, task->accuracy, law_s};
   size_t chosen = 0;
   *n = rot_choice_candidates(constraint, scene, &query, all);
@@ -322,7 +322,7 @@ size_t rot_run_candidates(const rot_constraint *constraint, const void *scene, c
     if (!all[i].applies || all[i].model->use != ROT_ON_TRIAL) continue;
     rot_outcome o;
     o.events = (rot_events){0};
-    rot_run_model(constraint, scene, all[i].model, task, NULL, &o, hooks);
+    rot_run_model(constraint, scene, all[i].model, task, NULL, &o, NULL);
     rot_events_free(&o.events);
     all[i].error = o.info.status == ROT_OK ? o.error : INFINITY;
     all[i].applies = all[i].error <= task->accuracy;

@@ -49,7 +49,7 @@ void rot_run_model(const rot_constraint *constraint, const void *scene, const ro
  * and have the errors of their runs. *n: how many. => place of the one that rot_run() takes, or *n
  */
 size_t rot_run_candidates(const rot_constraint *constraint, const void *scene, const rot_task *task,
-                          double law_s, const rot_hooks *hooks, rot_candidate all[], size_t *n);
+                          double law_s, rot_candidate all[], size_t *n);
 /* Why candidate k is chosen, would do, or does not apply. */
 void rot_run_reason(const rot_constraint *constraint, size_t n, const rot_candidate all[],
                     size_t chosen, size_t k, size_t size, char text[]);
