@@ -8,8 +8,8 @@
 enum { FFI_OBJECT_FAULT = 256 };
 
 /* node => scene, to be freed by rot_object_free(); NULL with the reason in `fault`. Functions are
- * laws that end a run, or left out: such a scene can be walked, not run. Calls nothing of R that may
- * jump. */
+ * laws that end a run, or left out: such a scene can be walked, not run. Calls nothing of R that
+ * may jump. */
 rot_object *ffi_object(SEXP node, char fault[FFI_OBJECT_FAULT]);
 
 #endif
