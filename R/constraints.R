@@ -4,16 +4,12 @@
 # A record:
 #   id            name of the constraint, as models() shows it
 #   scene_class   class of its scenes
-#   form          of its scenes, see R/form.R; NULL: not checked
+#   form          of its scenes, see R/form.R
 #   fault(scene)  NULL, or the part that does not fit the others, of a scene with that form
 #   title(run)    title of the picture, and of prints: what the user described
 #   models        records of models, see R/model.R
-#   effects       what a scene may contain: words by name. Names belong to the constraint.
-#   effects_of(scene)            those of a scene, by name
-#   without(scene, effects)      the scene without some of them
-#   drop_bound(scene, effects, record, time_s, call)   NULL, or what leaving them out changes at
-#                 most: list(effects, until_s, errors, error, each), see R/choice.R
-#                 (a constraint of the C core has these three from there)
+#   effects, effects_of(scene)   what a scene may contain: words by name, and the names of those of a
+#                 scene; from the C core
 #   columns       columns of a result
 #   keys          those that hold the state: the class is kept with them
 #   more_columns(columns, scene, time_s)   NULL, or completes the columns of a run
@@ -28,13 +24,13 @@
 #   quick         TRUE where neither more_columns nor ends has a part in the scenes
 #   ends(scene, columns)   NULL, or the text that says from when on the model is not valid; columns:
 #                 those of a motion, or NULL
-#   index, copies(scene)   a second index of the rows (rotor), and how many there are for each time
+#   index, rows_per_time(scene)   a second index of the rows (rotor), and how many there are for
+#                 each time
 #   measures      named list of measure(), to which errors and accuracies refer
 #   slopes(columns, scene)       NULL, or list: by column, what has the sign of its slope in time
-#   time_scales(scene, sizes, model)    NULL, or list(breaks_s, fades_s, swing_rad_per_s, drifts):
-#   times of
-#                 kinks, the shortest time in which a transient fades (Inf: none), the fastest
-#                 swing, whether the motion goes on beyond its swings
+#   time_scales(scene, sizes, model)   NULL, or list(breaks_s, fades_s, swing_rad_per_s, drifts):
+#                 times of kinks, the shortest time in which a transient fades (Inf: none), the
+#                 fastest swing, whether the motion goes on beyond its swings
 #   periods(scene, call)         NULL, or the columns of period_of(), recycled to its rows
 #   call_laws(scene, call)       NULL, or NULL where a scene has no R functions, else a function
 #                 that calls each once with the state of the start: for what a run costs
@@ -63,23 +59,19 @@ constraint_list <- function() {
 .onLoad <- function(libname, pkgname) {
   listed <- constraint_list()
   for (constraint in listed) join_constraint(constraint)
-  joined$listed <- vapply(listed, function(constraint) constraint$scene_class, "")
+  joined$classes <- vapply(listed, function(constraint) constraint$scene_class, "")
   set_default_verbs()
   register_plots()
   # Its methods print our tables. Commands of the shell print lines of their own.
   if (!isFALSE(getOption("rotdyn.tables"))) loadNamespace("tibble")
 }
 
-# Constraints of the C core (src/core/scene/choice.c) have their effects and their models' promises
-# there.
+# The effects and the promises of the models are those of the core (src/core/scene/choice.c).
 join_constraint <- function(constraint) {
-  constraint$core <- constraint$id %in% core_models()$constraint
-  if (constraint$core) {
-    id <- constraint$id
-    constraint$models <- lapply(constraint$models, core_record)
-    constraint$effects <- core_effect_words(id)
-    constraint$effects_of <- function(scene) core_effects(id, scene)
-  }
+  id <- constraint$id
+  constraint$models <- lapply(constraint$models, core_record)
+  constraint$effects <- core_effect_words(id)
+  constraint$effects_of <- function(scene) core_effects(id, scene)
   names(constraint$models) <- vapply(constraint$models, function(m) m$id, "")
   makers <- constraint$makers
   assign(constraint$scene_class, constraint, envir = registry)
@@ -88,5 +80,4 @@ join_constraint <- function(constraint) {
     one[names(makers[[class]])] <- makers[[class]]
     assign(class, one, envir = registry)
   }
-  joined$others <- c(joined$others, names(makers))
 }

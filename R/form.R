@@ -205,9 +205,7 @@ sound_scene <- function(scene, call) {
 fault_of_scene <- function(scene) {
   constraint <- if (inherits(scene, "rot_scene")) constraint_of(scene)
   if (is.null(constraint)) return("")
-  fault <- if (!is.null(constraint$form)) {
-    .Call(ffi_scene_fault, constraint$id, constraint$form, scene)
-  }
+  fault <- .Call(ffi_scene_fault, constraint$id, constraint$form, scene)
   if (is.null(fault) && !is.null(constraint$fault)) constraint$fault(scene) else fault
 }
 

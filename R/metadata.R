@@ -88,7 +88,7 @@ build_metadata <- function() {
     quantity = columns$name, unit = ifelse(nzchar(columns$unit), columns$unit, NA),
     meaning = columns$meaning
   )
-  own <- own_constraints()
+  own <- all_constraints()
   words <- read_table("constraint_concepts")
   ids <- vapply(own, function(constraint) constraint$id, "", USE.NAMES = FALSE)
   at <- match(ids, words$constraint_kind)

@@ -2,26 +2,23 @@
 #   id, equations, assumptions, limits, requires, source: text
 #   run(scene, time_s, accuracy, max_steps, call, asked)  list(columns, info, events, ledger), all
 #                           named; `asked`: the user named this model
-#   by_table                TRUE: the core measures the sizes on the way
 #   adapts                  TRUE: its error follows the accuracy asked; FALSE: it goes by steps that
 #                           do not; NULL: no steps
 #   run_with_step(scene, time_s, step_s, max_steps, call)  NULL, or run() by steps of this length
-#   ran_as(info)            NULL, or the id of the model that a run ended with
+#   ran_as(info)            the id of the model that a run ended with
 #   loses                   NULL, or the cause of large errors, for the warning
 #   leaves_out              NULL, or what an approximation leaves out, for the head of a trajectory
-# and, from the C core, or from the record itself where the core does not know the constraint:
+# and, from the C core:
 #   error_kind              "bound" (a closed form) or "estimate"
 #   handles                 the effects of a scene that it takes, by name
 #   why_not(scene, time_s)  NULL if it takes them as they are here, else the reason in words
 #   why                     what makes it fit, in words (57 characters fit on a line)
 #   error(accuracy)         promised relative error
 #   on_trial                TRUE: only a run tells its error; it is kept if that is good enough
-#   cost(scene, rows, accuracy)  predicted time in s
 
 core_record <- function(record) {
   known <- core_models()
   at <- match(record$id, known$model)
-  if (is.na(at)) return(record)
   promise <- known$error[at]
   id <- known$constraint[at]
   record$error_kind <- known$error_kind[at]
@@ -70,8 +67,8 @@ models <- function() {
 
 # How a model runs a scene: list(record, scene: what it will solve, dropped: NULL or what was left
 # out, reason: NULL or why it does not fit, result: NULL or that of a run on trial).
-new_fit <- function(record, constraint, scene, dropped, reason = NULL) {
-  if (!is.null(dropped)) scene <- constraint$without(scene, dropped$effects)
+new_fit <- function(record, scene, dropped, reason = NULL) {
+  if (!is.null(dropped)) scene$without <- dropped$effects # C leaves them out
   list(record = record, scene = scene, dropped = dropped, reason = reason, result = NULL)
 }
 
@@ -79,50 +76,6 @@ too_coarse <- function(error, accuracy) {
   if (!(error <= accuracy)) {
     paste0("its error of ", format(error, digits = 2), " exceeds the accuracy asked")
   }
-}
-
-# A row of candidates(): a model of R on a scene; where it does not take all effects, without them
-# if `drop` allows and that changes little enough.
-judge_model <- function(record, constraint, scene, time_s, accuracy, drop, call) {
-  missing <- setdiff(constraint$effects_of(scene), record$handles)
-  error <- record$error(accuracy)
-  dropped <- NULL
-  if (length(missing)) {
-    reason <- paste("it does not take", effects_in_words(missing, constraint))
-    if (drop && record$error_kind == "bound" && !is.null(constraint$drop_bound)) {
-      dropped <- constraint$drop_bound(scene, missing, record, time_s, call)
-    }
-    if (!is.null(dropped)) {
-      without <- constraint$without(scene, missing)
-      reason <- record$why_not(without, time_s) %||% too_coarse(dropped$error + error, accuracy)
-      if (is.null(reason)) error <- dropped$error + error else dropped <- NULL
-    }
-  } else {
-    reason <- record$why_not(scene, time_s) %||% too_coarse(error, accuracy)
-  }
-  list(
-    model = record$id, applies = is.null(reason), error = error, error_kind = record$error_kind,
-    cost_s = record$cost(scene, length(time_s), accuracy),
-    reason = reason %||% (if (is.null(dropped)) NA_character_ else {
-      describe_dropped(dropped, constraint)
-    }),
-    dropped = list(dropped)
-  )
-}
-
-# (scene, times, accuracy) => all models of a constraint of R, cheapest first, in the columns of
-# core_candidates() but for `chosen`; reason: NA where one applies unchanged. An effect is left out
-# only where no closed form takes the scene unchanged.
-candidates <- function(constraint, scene, time_s, accuracy, call) {
-  judge <- function(drop) {
-    rows <- lapply(
-      unname(constraint$models), judge_model, constraint, scene, time_s, accuracy, drop, call
-    )
-    do.call(Map, c(c, rows))
-  }
-  table <- judge(FALSE)
-  if (!any(table$applies & table$error_kind == "bound")) table <- judge(TRUE)
-  lapply(table, `[`, order(table$cost_s))
 }
 
 # A model on trial is run, and kept if its error is good enough.
@@ -136,22 +89,17 @@ try_model <- function(fit, time_s, accuracy, max_steps, call) {
   fit
 }
 
-# The model asked for, or the cheapest that applies. Where the core knows all models, it picks.
+# The model asked for, or the cheapest that applies, which the core picks.
 pick_model <- function(scene, time_s, accuracy, model, max_steps, call) {
   constraint <- constraint_of(scene)
   if (!is.null(model)) {
     return(named_model(constraint, scene, time_s, accuracy, model, max_steps, call))
   }
-  pick <- if (constraint$core) {
-    .Call(ffi_choice_pick, constraint$id, scene, time_s, accuracy, 1e-6, NULL) # 1 us less
-  } else {
-    table <- candidates(constraint, scene, time_s, accuracy, call)
-    lapply(table[c("model", "dropped")], `[`, table$applies)
-  }
+  pick <- .Call(ffi_choice_pick, constraint$id, scene, time_s, accuracy, 1e-6, NULL) # 1 us less
   tried <- NULL
   for (i in seq_along(pick$model)) {
     record <- constraint$models[[pick$model[i]]]
-    fit <- new_fit(record, constraint, scene, pick$dropped[[i]])
+    fit <- new_fit(record, scene, pick$dropped[[i]])
     trial <- record$on_trial
     if (is.null(trial) || !trial) return(fit)
     fit <- try_model(fit, time_s, accuracy, max_steps, call)
@@ -223,11 +171,7 @@ choose_model <- function(scene, time_s, accuracy = 1e-9, ...) {
   } else {
     tryCatch(call_seconds(once), error = function(e) if (is_time_limit(e)) stop(e) else 1e-6)
   }
-  choice <- if (constraint$core) {
-    core_candidates(constraint$id, scene, time_s, accuracy, law_s)
-  } else {
-    choose_in_r(constraint, scene, time_s, accuracy, call)
-  }
+  choice <- core_candidates(constraint$id, scene, time_s, accuracy, law_s)
   if (!any(choice$chosen)) {
     tried <- choice$error[vapply(constraint$models[choice$model], function(record) {
       isTRUE(record$on_trial)
@@ -241,17 +185,6 @@ choose_model <- function(scene, time_s, accuracy = 1e-9, ...) {
     row.names = c(NA_integer_, -n)
   )
   choice
-}
-
-# The same for a constraint whose models are R's.
-choose_in_r <- function(constraint, scene, time_s, accuracy, call) {
-  table <- candidates(constraint, scene, time_s, accuracy, call)
-  chosen <- match(TRUE, table$applies)
-  table$chosen <- seq_along(table$model) %in% chosen
-  without <- is.na(table$reason)
-  table$reason[without] <- paste0("fits, but ", table$model[chosen], " is cheaper")
-  if (isTRUE(without[chosen])) table$reason[chosen] <- constraint$models[[table$model[chosen]]]$why
-  table
 }
 
 only_by_name <- "it runs only where it is named" # src/core/scene/choice.c
@@ -351,13 +284,9 @@ named_model <- function(constraint, scene, time_s, accuracy, model, max_steps, c
     ), "model", call)
   }
   record <- constraint$models[[model]]
-  pick <- if (constraint$core) {
-    core_pick(constraint$id, scene, time_s, accuracy, model = model)
-  } else {
-    judge_model(record, constraint, scene, time_s, accuracy, TRUE, call)
-  }
+  pick <- core_pick(constraint$id, scene, time_s, accuracy, model = model)
   fit <- new_fit(
-    record, constraint, scene, pick$dropped[[1]], if (!isTRUE(pick$applies)) pick$reason
+    record, scene, pick$dropped[[1]], if (!isTRUE(pick$applies)) pick$reason
   )
   fit <- try_model(fit, time_s, accuracy, max_steps, call)
   if (!is.null(fit$reason)) {

@@ -1,8 +1,8 @@
-# The constraints that have joined, by the class of their scenes. R/constraints.R has the list and
-# says what a record of one holds.
+# The constraints, by the class of their scenes. R/constraints.R has the list and says what a record
+# of one holds.
 
 registry <- new.env(parent = emptyenv())
-# listed: the classes of R/constraints.R, in its order; others: those of further constructors.
+# classes: of the scenes of the first constructors, in the order of the list.
 joined <- new.env(parent = emptyenv())
 
 constraint_of <- function(scene) {
@@ -12,12 +12,7 @@ constraint_of <- function(scene) {
 }
 
 # One record for each; that of the first constructor of its scenes.
-all_constraints <- function() {
-  mget(c(joined$listed, setdiff(ls(registry), c(joined$listed, joined$others))), envir = registry)
-}
-
-# Those of the package.
-own_constraints <- function() mget(joined$listed, envir = registry)
+all_constraints <- function() mget(joined$classes, envir = registry)
 
 # A named quantity with a unit and a norm: the columns that hold it, which are taken together by the
 # 2-norm; distance(got, want), two matrices of these columns, where another one is meant.

@@ -11,10 +11,6 @@ table_constraint <- function(id, models, ..., makers = list()) {
     models = Map(table_model, id, names(models), models, USE.NAMES = FALSE),
     columns = c("time_s", table$index, table$columns[table$always]),
     more_names = if (!all(table$always)) function(scene) shown_names(id, scene),
-    without = function(scene, effects) {
-      scene$without <- effects # C leaves them out
-      scene
-    },
     event_rows = if (table$event_rows) TRUE,
     keys = c("time_s", table$index, unlist(state[table$measures], use.names = FALSE)),
     index = table$index,
@@ -100,7 +96,7 @@ table_form <- function(maker) {
 }
 
 table_model <- function(id, model, words) {
-  c(list(id = model, by_table = TRUE), words, list(
+  c(list(id = model), words, list(
     adapts = if (grepl("_(rk8pd|radau)$", model)) TRUE,
     ran_as = function(info) {
       if (info$method %in% c("rk8pd", "radau")) paste0(id, "_", info$method) else model

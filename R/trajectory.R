@@ -239,9 +239,7 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
     ), "accuracy", call)
   }
   new_trajectory(columns, n * each, new_run(
-    scene, fit$scene, fit$dropped,
-    # One integrator may switch to the other.
-    if (is.null(record$ran_as)) record$id else record$ran_as(info),
+    scene, fit$scene, fit$dropped, record$ran_as(info), # one integrator may switch to the other
     accuracy, record$error_kind, info, result$ledger, fit$step_s, result$events, max_steps, asked,
     if (info$kind == "none") body_effect(fit, time_s, accuracy, max_steps, call)
   ))
@@ -289,13 +287,12 @@ name_events <- function(result) {
   result
 }
 
-# Whether the largest values of the rows may be far below those on the way: the integrators know
-# theirs, a closed form has those of the rows; scenes by table are measured in the core.
-# The core looks there itself, but does not know what was left out.
+# Whether the largest values of the motion may be far above those that the core found on the way,
+# which does not know what was left out. The integrators know theirs.
 suspicious <- function(info, record, accuracy, dropped) {
   error <- info$error
   (error > 1e-13 || error > accuracy) && is.finite(error) && is.null(record$adapts) &&
-    (is.null(record$by_table) || !is.null(dropped))
+    !is.null(dropped)
 }
 
 # The error figure with the largest values at more times, unevenly spaced so that no period of the
