@@ -8,8 +8,8 @@
 #   fault(scene)  NULL, or the part that does not fit the others, of a scene with that form
 #   title(run)    title of the picture, and of prints: what the user described
 #   models        records of models, see R/model.R
-#   effects, effects_of(scene)   what a scene may contain: words by name, and the names of those of a
-#                 scene; from the C core
+#   effects, effects_of(scene)   what a scene may contain: words by name, and the names of those
+#                 of a scene; from the C core
 #   columns       columns of a result
 #   keys          those that hold the state: the class is kept with them
 #   more_columns(columns, scene, time_s)   NULL, or completes the columns of a run

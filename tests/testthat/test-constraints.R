@@ -16,6 +16,7 @@ test_that("the columns of a run are those that its constraint lists", {
     columns <- names(trajectory(scene, c(0, 1)))
     expect_true(all(constraint$columns %in% columns))
     more <- if (!is.null(constraint$more_names)) constraint$more_names(scene)
+    if (isTRUE(constraint$event_rows)) more <- c(more, "event")
     expect_true(all(columns %in% c(constraint$columns, more)))
     expect_true(all(constraint$keys %in% constraint$columns))
   }
