@@ -1,8 +1,9 @@
 #!/bin/sh
 # The lab: the stand-ins for GSL beside GSL, the core as WebAssembly beside the native one, then the
 # page in Chromium (skipped without it). SCENES=60: random scenes of each constructor, SEED=;
-# MUTANTS=20000: damaged scenes, LINKS=400: damaged links of the page; LAB_R=yes: the R code of each
-# scene is run and a document rendered by the installed package. Closes with `lab: N passed, ...`.
+# MUTANTS=20000: damaged scenes, LINKS=400: damaged links of the page; LAB_R=yes: by the installed
+# package the R code of each scene is run, a document rendered, and the motions of the help pages'
+# examples are collected for both cores. Closes with `lab: N passed, ...`.
 # SANITIZED=yes: the native program under the sanitizers of addresses and undefined behaviour.
 # LAB_WASM, LAB_NATIVE: what is made already.
 
@@ -36,8 +37,15 @@ fi
 if test -n "$LAB_WASM"; then cp "$LAB_WASM" "$work/lab.wasm"
 else sh tools/lab.sh wasm "$work/lab.wasm" || exit 1; fi
 
-CHROMIUM=$chromium WEB=$web LAB_FEW=$work/gsl_few LAB_NATIVE=$LAB_NATIVE \
-  LAB_WASM=$work/lab.wasm \
+LAB_EXAMPLES=""
+if test -n "$LAB_R"; then
+  LAB_EXAMPLES=$work/examples
+  Rscript web/tests/examples.R "$LAB_EXAMPLES" > "$work/said" 2>&1 ||
+    { cat "$work/said"; fail "the examples of the help pages do not run"; }
+fi
+
+CHROMIUM=$chromium WEB=$web LAB_EXAMPLES=$LAB_EXAMPLES LAB_FEW=$work/gsl_few \
+  LAB_NATIVE=$LAB_NATIVE LAB_WASM=$work/lab.wasm \
   node --test --test-concurrency=1 --test-reporter=tap web/tests/*.test.mjs > "$work/said" 2>&1
 grep -vE '^ *(---|\.\.\.|duration_ms|type:)' "$work/said"
 count() { sed -n "s/^# $1 \([0-9]*\)$/\1/p" "$work/said" | tail -n 1; }
