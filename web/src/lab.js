@@ -664,7 +664,7 @@ class Lab extends HTMLElement {
   refuse(said) {
     const name = said.input ? this.say(`name.${splitName(said.input).stem}`, {}, said.input) : "";
     const text = this.say(said.input ? "refused_input" : "refused", {
-      name: said.input ? `${name} (${said.input})` : "", reason: said.reason
+      name: said.input ? `${name} (${said.input})` : "", reason: this.words.core(said.reason)
     });
     this.refusal.textContent = text;
     this.refusal.hidden = false;
@@ -698,7 +698,7 @@ class Lab extends HTMLElement {
     if (this.run.report.status !== 0) {
       this.refusal.textContent = this.say("stopped", {
         time: this.numbers.show(this.run.report.time_s), rows: this.run.report.rows_done,
-        reason: this.run.report.status_text
+        reason: this.words.core(this.run.report.status_text)
       });
     }
     this.t = Math.max(this.run.time[0], Math.min(this.t, this.run.time.at(-1)));
@@ -726,8 +726,10 @@ class Lab extends HTMLElement {
   showModel() {
     const { report } = this.run;
     const why = this.recording?.why ?? this.engine?.catalogue.models[report.model] ?? "";
-    this.modelText.textContent = this.say("model_is", { model: report.model ?? "–", why }) +
-      (report.reason ? ` ${this.say("leaves_out", { reason: report.reason })}` : "");
+    this.modelText.textContent = this.say("model_is", {
+      model: report.model ?? "–", why: this.words.core(why)
+    }) + (report.reason ?
+      ` ${this.say("leaves_out", { reason: this.words.core(report.reason) })}` : "");
     this.errorText.textContent = this.say(report.error_is_bound ? "error_bound" : "error_estimate",
       { error: this.numbers.error(report.error) });
     const events = report.events ?? [];
@@ -756,7 +758,7 @@ class Lab extends HTMLElement {
         el("ul", { class: "bars" }, ...terms.map((term) => {
           const bar = el("span", { class: `bar-${term.role}`, "aria-hidden": "true" });
           bar.style.width = `${(100 * Math.abs(term.value) / largest).toFixed(1)}%`;
-          return el("li", {}, el("span", {}, `${term.words}: ${show(term.value)}`), bar);
+          return el("li", {}, el("span", {}, `${this.words.core(term.words)}: ${show(term.value)}`), bar);
         })));
     }));
   }
@@ -774,7 +776,7 @@ class Lab extends HTMLElement {
       el("td", {}, this.say(one.applies ? "yes" : "no")),
       el("td", {}, one.error === null ? "–" : this.numbers.error(one.error)),
       el("td", {}, one.cost_s === null ? "–" : `${this.numbers.error(one.cost_s)} s`),
-      el("td", {}, one.reason || this.engine.catalogue.models[one.model] || "")))))));
+      el("td", {}, this.words.core(one.reason || this.engine.catalogue.models[one.model] || ""))))))));
   }
 
   // ---- what can be taken away ----

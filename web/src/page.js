@@ -67,7 +67,7 @@ function openPage() {
     const lab = show(wanted);
     lab.addEventListener("rotdyn-refused", ({ detail }) =>
       fallBack(said.say("link_refused", { reason: `${detail.input ? `${detail.input}: ` : ""}${
-        detail.reason}.` })));
+        said.core(detail.reason)}.` })));
   };
 
   at("lab-scene").addEventListener("change", (event) => {

@@ -19,6 +19,46 @@ class Words {
     const text = this.list[key] ?? rotdynParts.words.en[key] ?? other;
     return text.replace(/\{(\w+)\}/g, (whole, name) => values[name] ?? whole);
   }
+
+  // A text of the core in this language: `core.` and its English words are the key, where {name}
+  // stands for a part that is such a text itself, a number, a name, or a list of them.
+  core(text) {
+    return this.code === "en" || !text ? text : this.translated(text) ?? text;
+  }
+
+  translated(text) {
+    const exact = this.list[`core.${text}`];
+    if (exact !== undefined) return exact;
+    if (/^-?(\d[\d.]*(e[-+]?\d+)?|inf)$/.test(text)) {
+      return this.comma ? text.replace(".", ",") : text;
+    }
+    if (/^[a-z]\w*$/.test(text)) return text; // the name of a model or of an input
+    for (const { key, shape, names } of this.patterns()) {
+      const found = shape.exec(text);
+      const parts = found?.slice(1).map((part) => this.translated(part));
+      if (!parts || parts.includes(undefined)) continue;
+      return this.say(key, Object.fromEntries(names.map((name, i) => [name, parts[i]])));
+    }
+    for (const between of [" and ", ", "]) {
+      const at = text.lastIndexOf(between);
+      if (at < 0) continue;
+      const [before, after] = [text.slice(0, at), text.slice(at + between.length)]
+        .map((part) => this.translated(part));
+      if (before && after) return before + this.list[`core.${between}`] + after;
+    }
+    return undefined;
+  }
+
+  // The keys with parts, the longest first.
+  patterns() {
+    this.shapes ??= Object.keys(this.list).filter((key) => /^core\..*\{/.test(key))
+      .sort((a, b) => b.length - a.length).map((key) => ({
+        key, names: [...key.matchAll(/\{(\w+)\}/g)].map((found) => found[1]),
+        shape: new RegExp(`^${key.slice(5).replace(/[.*+?^$()|[\]\\]/g, "\\$&")
+          .replace(/\{\w+\}/g, "(.+?)")}$`)
+      }));
+    return this.shapes;
+  }
 }
 
 export { Words };

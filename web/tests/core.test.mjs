@@ -3,9 +3,10 @@
 // LAB_EXAMPLES: what tools/check-lab.sh made.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
-import { readFileSync } from "node:fs";
+import { readFileSync, readdirSync } from "node:fs";
 import { after, test } from "node:test";
 import { Engine } from "../src/engine.js";
+import { Words } from "../src/words.js";
 import { openNative } from "./native.mjs";
 import { constructors, generator, mutated, randomScene } from "./random.mjs";
 
@@ -147,6 +148,40 @@ test("the motions of the help pages' examples are the native ones", {
   }
   t.diagnostic(JSON.stringify(seen));
   assert.ok(seen.run >= 0.9 * seen.motions && seen.motions >= 40, JSON.stringify(seen));
+});
+
+test("the texts of the core have words in every language", (t) => {
+  const folder = new URL("../words/", import.meta.url);
+  const codes = readdirSync(folder).map((name) => name.replace(".json", ""));
+  globalThis.rotdynParts = { words: Object.fromEntries(codes.map((code) =>
+    [code, JSON.parse(readFileSync(new URL(`${code}.json`, folder), "utf8"))])) };
+  const texts = new Set(Object.values(engine.catalogue.models));
+  for (const constructor of constructors) {
+    const r = generator(Number(SEED) + 2000 + constructors.indexOf(constructor));
+    for (let k = 0; k < 40; k++) {
+      const text = JSON.stringify(randomScene(r, constructor));
+      const run = engine.run(text, { ...times, rows: 5, steps: 2000, accuracy: k % 2 ? 1e-9 : 1e-3 });
+      if (run.report) texts.add(run.report.status_text).add(run.report.reason ?? "");
+      if (run.columns) {
+        for (const one of engine.models()) texts.add(one.reason ?? "");
+        for (const one of engine.audit()) for (const term of one.terms) texts.add(term.words);
+      }
+      texts.add(engine.read(mutated(r, text)).reason ?? "");
+    }
+  }
+  texts.delete("");
+  for (const code of codes.filter((one) => one !== "en")) {
+    const words = new Words(code);
+    const lacking = [...texts].filter((text) => words.translated(text) === undefined);
+    assert.deepEqual(lacking, [], code);
+    assert.notEqual(words.core("it does not take gravity"), "it does not take gravity");
+  }
+  assert.equal(new Words("de").core("it does not take a spring, viscous resistance and dry friction"),
+    "nicht enthalten: Feder, zäher Widerstand und trockene Reibung");
+  assert.equal(new Words("de").core("its error of 1.5e-05 exceeds the accuracy asked"),
+    "sein Fehler 1,5e-05 übersteigt die verlangte Genauigkeit");
+  assert.equal(new Words("en").core("it is no text of the core"), "it is no text of the core");
+  t.diagnostic(`${texts.size} texts`);
 });
 
 test("damaged texts end in a scene or in a refusal with a reason", async (t) => {

@@ -250,8 +250,9 @@ test("two languages, decimal comma", { skip }, async () => {
   await page.getByLabel("radius, disk, m").waitFor();
   const [en, de] = ["en", "de"].map((code) =>
     JSON.parse(readFileSync(new URL(`../words/${code}.json`, import.meta.url))));
-  assert.deepEqual(Object.keys(de).sort(), Object.keys(en).filter((one) => one in de).sort());
-  assert.deepEqual(Object.keys(en).filter((one) => !(one in de)), []);
+  // Texts of the core are English; core.test.mjs looks for their translations.
+  assert.deepEqual(Object.keys(de).filter((one) => !one.startsWith("core.")).sort(),
+    Object.keys(en).sort());
   quiet(page);
   await page.close();
 });
