@@ -54,7 +54,7 @@ symmetric <- c(
   "apply", "assign", "get0", "exists", "is.element", "isTRUE", "stopifnot", "outer", "crossprod",
   # Sums and products, the same to the last bit in either order; the size of an allocation.
   "rot_dd_mul", "rot_dd_add", "rot_pair_dd_mul", "rot_pair_dd_add", "rot_muldiv", "multiply",
-  "fma", "calloc", "strcmp"
+  "rot_dd_sum2", "fma", "calloc", "strcmp", "swap"
 )
 
 # ---- R ------------------------------------------------------------------------------------------
@@ -290,6 +290,9 @@ c_edits <- function(whole) {
       if (text == "*" && !assigned[i] && declares(i)) next
       add("factor", i, paste(text, 2, text))
     } else if (text %in% c("<", ">", "<=", ">=", "==", "!=") && spaced[i] && !in_for[i]) {
+      # How often a long loop looks at Ctrl-C.
+      end <- i + match(";", token[i:n], nomatch = 1L) - 1L
+      if (grepl("R_CheckUserInterrupt", substr(code, from[i], to[end]))) next
       add("comparison", i, opposite[[text]])
     } else if (text %in% c("&&", "||")) {
       # Of allocations that fail one by one, which no test can make.

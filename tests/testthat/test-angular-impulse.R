@@ -124,3 +124,12 @@ test_that("a torque that grows as 1/time or faster has no impulse; slower, it ha
   expect_equal(tall$angular_impulse_n_m_s, 300 * log(10), tolerance = 1e-12)
   expect_lte(tall$angular_impulse_error_n_m_s, 1e-8)
 })
+
+test_that("the error of a constant torque is its rounding, and no more", {
+  for (torque in c(5, -5)) {
+    x <- angular_impulse(torque_constant(torque), 2, 4.5)
+    expect_equal(x$angular_impulse_n_m_s, 2.5 * torque)
+    expect_gt(x$angular_impulse_error_n_m_s, 0)
+    expect_lt(x$angular_impulse_error_n_m_s, 5 * .Machine$double.eps * 12.5)
+  }
+})

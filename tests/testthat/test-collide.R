@@ -168,6 +168,13 @@ test_that("bad input is the package's own error", {
     ), class = "rotdyn_warning_range"
   )
   expect_true(is.nan(beyond$vx_1_m_per_s))
+  # The speed of the contact along the normal alone is no number: inf - inf.
+  expect_warning(
+    beyond <- hit(
+      omega_1_rad_per_s = c(1e308, 1e308, 0), arm_1_m = c(10, 10, 0)
+    ), class = "rotdyn_warning_range"
+  )
+  expect_true(is.nan(beyond$vz_1_m_per_s))
 })
 
 test_that("a normal along which the bodies separate is refused, with the rule of its sign", {

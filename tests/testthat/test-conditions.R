@@ -61,3 +61,18 @@ test_that("errors of shortcuts show the shortcut that the user called", {
   expect_equal(call_of(audit()), "audit")
   expect_equal(call_of(motion_events()), "motion_events")
 })
+
+test_that("plain messages have their lines with their signs", {
+  sign <- paste0(cli::symbol$info, " ")
+  said <- tryCatch(
+    warn_quickly(c("One.", "Two.", "Three."), "range", NULL), warning = function(w) w
+  )
+  expect_identical(conditionMessage(said), paste0("One.\n", sign, "Two.\n", sign, "Three."))
+  expect_s3_class(said, c("rotdyn_warning_range", "rotdyn_warning"))
+  said <- tryCatch(inform_quickly(c("One.", "Two."), "missing"), message = function(m) m)
+  expect_identical(conditionMessage(said), paste0("One.\n", sign, "Two.\n"))
+  expect_identical(
+    conditionMessage(tryCatch(inform_quickly("One.", "missing"), message = function(m) m)),
+    "One.\n"
+  )
+})

@@ -59,6 +59,14 @@ test_that("a scene with an R function comes as a recording of its motion", {
   expect_identical(recording$report$error, run$info$error)
   expect_identical(recording$said$constructor, "scene_axle")
   expect_identical(recording$said$constraint, "axle")
+  # By the number of the measure, for the units of the page.
+  said <- lab(motion)$state$recording$said$columns
+  measure <- vapply(said, function(one) as.double(one$measure), 0)
+  names(measure) <- vapply(said, `[[`, "", "name")
+  expect_identical(
+    measure[c("theta_rad", "omega_rad_per_s", "applied_torque_n_m")],
+    c(theta_rad = 0, omega_rad_per_s = 1, applied_torque_n_m = -1)
+  )
   expect_null(lab(motion)$state$scene)
   # Of a scene, too.
   expect_length(lab(by_function, end_s = 2)$state$recording$time, 401)

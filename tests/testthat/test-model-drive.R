@@ -662,3 +662,11 @@ test_that("work and heat of augment() count from the first row, whenever that is
   expect_equal(work, whole[-1] - whole[2])
   expect_gt(work[3], 1)
 })
+
+test_that("a coupling without teeth is no gear, and one with a ratio is", {
+  effects <- function(coupling) core_effects("drive", scene_drive(c(1, 2), coupling))
+  expect_identical(effects(coupling_clutch(3)), "clutch")
+  expect_identical(effects(coupling_shaft(5)), "shaft")
+  expect_identical(effects(coupling_gear(2)), "gear")
+  expect_setequal(effects(coupling_shaft(5, ratio = 2)), c("shaft", "gear"))
+})

@@ -253,3 +253,11 @@ test_that("steps of order 1 report at least their error", {
   expect_gte(least, 1)
   expect_lt(most, 1.6)
 })
+
+test_that("columns of another number are refused by the C boundary", {
+  three <- list(1, 2, 3)
+  expect_error(.Call(ffi_free_flips, three[1:2], three), "internal: no columns")
+  expect_error(.Call(ffi_free_flips, three, three[1:2]), "internal: no columns")
+  expect_error(.Call(ffi_free_flips, c(1, 2, 3), three), "internal: no columns")
+  expect_error(.Call(ffi_free_flips, three, c(1, 2, 3)), "internal: no columns")
+})

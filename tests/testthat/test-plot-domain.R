@@ -57,6 +57,16 @@ test_that("a map is drawn by its points, a predicate by its cells", {
 test_that("what cannot be drawn is refused", {
   nothing <- domain_inside(function(x, y, z) x > 5, rep(-1, 3), rep(1, 3))
   expect_error(ggplot2::autoplot(nothing), class = "rotdyn_error_value")
+  # A map that leaves the doubles elsewhere than where it was checked.
+  moved <- domain_map(
+    function(u, v, w) list(u, v, w), function(u, v, w) 1 + 0 * u, c(0, 0, 0), c(1, 1, 1)
+  )
+  for (map in list(function(u, v, w) list(u, v / 0, w), function(u, v, w) list(u, v))) {
+    moved$map <- map
+    expect_error(
+      ggplot2::autoplot(moved), "no finite points", class = "rotdyn_error_value"
+    )
+  }
   bad <- domain_ball(1)
   bad$chart <- "x"
   expect_error(ggplot2::autoplot(bad), class = "rotdyn_error_type")

@@ -72,3 +72,9 @@ test_that("plot() draws what autoplot() draws, of every class that has one", {
     expect_identical(utils::getS3method("plot", class), plot_by_autoplot)
   }
 })
+
+test_that("breaks are round values within the limits, to both ends", {
+  expect_identical(rotdyn:::plot_breaks(13)(c(0, 10)), c(0, 2, 4, 6, 8, 10))
+  expect_identical(rotdyn:::plot_breaks(13)(c(0.2, 9.7)), c(2, 4, 6, 8))
+  expect_lte(length(rotdyn:::plot_breaks(26)(c(0, 10))), 3)
+})

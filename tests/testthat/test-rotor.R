@@ -377,3 +377,11 @@ test_that("rotors that are none are refused by name", {
     class = "rotdyn_error_type"
   )
 })
+
+test_that("the angular momentum of several rotors is the sum of J W a", {
+  scene <- scene_free(
+    c(1, 2, 2.5), c(1, 0, 0),
+    rotors = list(rotor(c(0, 0, 1), 0.1, 20), rotor(c(1, 0, 0), 0.2, -3))
+  )
+  expect_equal(rotor_momentum(scene), c(-0.6, 0, 2))
+})

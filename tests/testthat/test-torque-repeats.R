@@ -53,3 +53,21 @@ test_that("a law that counts its calls and repeats its values is none", {
   motion <- trajectory(scene_axle(1, torque_function(warm, breaks_s = numeric())), 1, 1e-6)
   expect_equal(motion$omega_rad_per_s, sin(1), tolerance = 1e-6)
 })
+
+test_that("the message names the first time at which the values differ", {
+  calls <- 0
+  late <- function(time_s) {
+    calls <<- calls + 1
+    ifelse(time_s > 5, calls, 1)
+  }
+  expect_error(
+    trajectory(scene_axle(1, late), 10), "At 7.19 s it returned", class = "rotdyn_error_random"
+  )
+  expect_error(
+    check_repeats(function(time_s) {
+      calls <<- calls + 1
+      calls + time_s
+    }, 2, 12, NULL),
+    "At 2 s it returned", class = "rotdyn_error_random"
+  )
+})

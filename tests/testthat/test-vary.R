@@ -57,6 +57,7 @@ test_that("a law is plain data that prints its parameters", {
   expect_identical(format(vary_triangular(1, 2, 3)), "triangular, 1 to 3, mode 2")
   expect_identical(format(vary_values(c(1, 5), c(1, 2))), "1, 5, weighted")
   expect_identical(format(vary_values(7:1)), "7 values, 1 to 7")
+  expect_identical(format(vary_values(c(1 / 3, 2))), "0.3333333, 2")
   expect_identical(
     format(vary_truncated(vary_normal(0, 1), -1, 2)), "normal, mean 0, sd 1, truncated to -1 to 2"
   )
