@@ -41,6 +41,7 @@ test_that("no offset costs a digit", {
     change <- abs(body$second_moment_kg_m2 - near$second_moment_kg_m2)
     expect_lte(max(change), 4e-16 * sum(diag(near$second_moment_kg_m2)))
     expect_lte(max(abs(body$centre_m - offset - near$centre_m)), 2 * body$detail$centre_error_m)
+    expect_lte(body$detail$centre_error_m, 4 * .Machine$double.eps * max(abs(body$centre_m), 1))
   }
 })
 

@@ -40,6 +40,13 @@ test_that("against quadrature, in both senses, and as parts", {
   expect_equal(body$centre_m, joined$centre_m, tolerance = 1e-14)
 })
 
+test_that("the error of the centre is the rounding of a vertex and of its distance", {
+  square <- body_polygon(1, cbind(c(-1, 1, 1, -1), c(-1, -1, 1, 1)))
+  expect_equal(square$detail$centre_error_m, .Machine$double.eps * sqrt(2))
+  far <- body_polygon(1, cbind(c(99, 101, 101, 99), c(-1, -1, 1, 1)))
+  expect_equal(far$detail$centre_error_m, .Machine$double.eps * (100 + sqrt(2)))
+})
+
 test_that("a tetrahedron, against quadrature, and the regular one", {
   corners <- rbind(c(0.3, 0.1, -0.2), c(2, 0.2, 0.1), c(0.1, 1.5, 0.4), c(0.7, 0.3, 2.5))
   map <- function(p) {

@@ -47,6 +47,10 @@ test_that("energy_loss() has a sign, a seed and its own errors", {
     energy_loss(estimate_motion(coasting(), breaks = "none"), 1, 4),
     class = "rotdyn_error_missing"
   )
+  # The interval: Student's t about the loss, at the level of the estimate.
+  t <- stats::qt(0.975, check_estimate(motion, "motion", NULL)$degrees)
+  expect_equal(there$energy_loss_high_j, there$energy_loss_j + t * there$energy_loss_se_j)
+  expect_equal(there$energy_loss_low_j, there$energy_loss_j - t * there$energy_loss_se_j)
   # The inertia's own uncertainty is a common factor.
   sure <- energy_loss(motion, 1, 4)
   unsure <- energy_loss(

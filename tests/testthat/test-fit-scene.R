@@ -510,3 +510,13 @@ test_that("limits narrow the domain of an input", {
   expect_identical(held$value[1], 0.15)
   expect_identical(held$status[1], "at its lower limit")
 })
+
+test_that("a record that begins after the scene is a motion from the scene's start", {
+  # With dry friction nothing can run backwards to an earlier time.
+  wheel <- function(friction) {
+    scene_axle(1, 0, resistance(coulomb_n_m = friction), omega0_rad_per_s = 9, start_s = 5)
+  }
+  film <- film_of(wheel(0.5), 6 + 0:40 / 4, "theta_rad")
+  fit <- fit_scene(wheel(0.3), film, "resistance$coulomb_n_m", accuracy = 1e-12)
+  expect_equal(fit$value, 0.5, tolerance = 1e-8)
+})

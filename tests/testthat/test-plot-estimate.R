@@ -49,6 +49,10 @@ test_that("units and a torque are drawn where asked for", {
   expect_match(levels[1], "degree")
   expect_match(levels[2], "rpm")
   expect_match(levels[3], "net torque")
+  # Without its column the acceleration is drawn.
+  without <- struck_motion(0.2)
+  without$net_torque_n_m <- NULL
+  expect_match(levels(ggplot2::autoplot(without)$data$panel)[3], "angular acceleration")
   fit <- struck_motion()
   expect_few_labels(function(size) ggplot2::autoplot(fit, base_size = size))
   expect_error(ggplot2::autoplot(struck_motion(), unit = "rpm"), class = "rotdyn_error_argument")

@@ -25,6 +25,7 @@ test_that("no line joins segments or the sides of a missing value", {
   line <- built$data[[1]]
   apart <- tapply(line$x, list(line$PANEL, line$group), function(x) max(diff(x)))
   expect_lt(max(apart, na.rm = TRUE), 0.021)
+  expect_identical(unique(line$colour), rotdyn:::plot_colours[1])
   record$theta_rad[100] <- NA
   line <- ggplot2::ggplot_build(ggplot2::autoplot(record))$data[[1]]
   expect_equal(length(unique(line$group[line$PANEL == 1])), 3)

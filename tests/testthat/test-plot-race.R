@@ -9,6 +9,8 @@ test_that("a race is drawn with the order of its finish in words", {
   # Two bodies at five times; the finish at 1 m.
   expect_identical(length(unique(built$data[[3]]$group)), 10L)
   expect_identical(unique(built$data[[2]]$xintercept), 1)
+  # Later is darker, in the first colour at the end.
+  expect_true(rotdyn:::plot_colours[1] %in% built$data[[3]]$fill)
   expect_s3_class(ggplot2::autoplot(roll_race(time_s = c(0, 0.5)), time_s = 0.5), "ggplot")
 })
 

@@ -105,3 +105,15 @@ test_that("a time limit ends a run at the poll after it, not six polls later", {
   )
   expect_lte(polls, 3)
 })
+
+test_that("an error of a law after an event is the law's, and no part of the motion is returned", {
+  law <- function(time_s, theta_rad, omega_rad_per_s) {
+    if (time_s > 5) stop("the motor is gone")
+    0
+  }
+  scene <- scene_axle(
+    1, torque_function(law, breaks_s = 5), resistance(coulomb_n_m = 1), omega0_rad_per_s = 2
+  )
+  expect_identical(motion_events(trajectory(scene, c(0, 4)))$event, "stick")
+  expect_error(trajectory(scene, c(0, 10)), "the motor is gone")
+})

@@ -43,3 +43,10 @@ test_that("the peaks of exact motions show the losses, with errors that cover th
     }
   }
 })
+
+test_that("a torsion pendulum may swing beyond half a turn", {
+  x <- trajectory(scene_axle(1, torque_spring(25), resistance(0.05), theta0_rad = 7), 0:700 / 50)
+  fit <- fit_swing(x[c("time_s", "theta_rad")], "spring", losses = "viscous")
+  expect_equal(fit$damping$decay_per_s$value, 0.025, tolerance = 1e-4)
+  expect_gt(fit$swings$amplitude_rad[fit$swings$used][1], pi)
+})

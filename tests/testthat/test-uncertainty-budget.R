@@ -118,6 +118,14 @@ test_that("errors are the package's own", {
   r <- matrix(c(1, 0.9, -0.9, 0.9, 1, 0.9, -0.9, 0.9, 1), 3)
   expect_error(uncertainty_budget(function(a, b, c) a, m, n, measured(1, 1), correlation = r),
     class = "rotdyn_error_value")
+  # Three that are correlated alike by r: the lowest eigenvalue is 1 + 2 r, of -1e-6 at most.
+  alike <- function(lowest) {
+    r <- matrix((lowest - 1) / 2, 3, 3)
+    diag(r) <- 1
+    uncertainty_budget(function(a, b, c) a, m, n, measured(1, 1), correlation = r)
+  }
+  expect_s3_class(alike(-0.9e-6), "rot_uncertainty_budget")
+  expect_error(alike(-1.1e-6), class = "rotdyn_error_value")
 })
 
 test_that("numbers without a name are the arguments that are left, in their order", {

@@ -176,6 +176,11 @@ static void check_tops(void) {
   ROT_CHECK_REL(r.slow_rad_per_s + r.fast_rad_per_s, 1.0 / (0.0042 * 0.5), 2e-15);
   ROT_CHECK_REL(r.slow_rad_per_s * r.fast_rad_per_s, 0.392266 / (0.0042 * 0.5), 2e-15);
   ROT_CHECK(r.lowest_angle_deg > 60.0 && r.nutation_period_s > 0.0);
+  /* A flat body has I1 = I3/2: less by rounding is one, too. */
+  top.transverse_kg_m2 = 0.001 * (1.0 - 1e-10);
+  ROT_CHECK_EQ_INT(rotdyn_precession_rates(&top, &r), ROTDYN_OK);
+  top.transverse_kg_m2 = 0.001 * (1.0 - 1e-8);
+  ROT_CHECK_EQ_INT(rotdyn_precession_rates(&top, &r), ROTDYN_EARGUMENT);
   top.transverse_kg_m2 = 0.0005;
   ROT_CHECK_EQ_INT(rotdyn_precession_rates(&top, &r), ROTDYN_EARGUMENT);
   top.transverse_kg_m2 = top.spin_rad_per_s = 0.0;

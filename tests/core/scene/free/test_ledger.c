@@ -93,7 +93,24 @@ static void check_explained(void) {
   kit_free(k);
 }
 
+/* Rates that turn the body: twice its own, and twice those that the rotors give it about the axis of
+ * the least moment. */
+static void check_time_scales(void) {
+  const rot_free_rotor rotors[] = {{.moment_kg_m2 = 0.1, .omega_rad_per_s = 20.0},
+                                   {.moment_kg_m2 = 0.2, .omega_rad_per_s = -5.0}};
+  rot_free_params p = {.moment_kg_m2 = {2.0, 0.5, 1.0}};
+  double sizes[ROT_MAX_MEASURES] = {0};
+  sizes[ROT_FREE_OMEGA] = 3.0;
+  rot_time_scales found = {0};
+  rot_free_time_scales(&p, sizes, &found);
+  ROT_CHECK(found.swing_rad_per_s == 6.0 && isinf(found.fades_s));
+  p.rotors = rotors, p.n_rotors = 2, p.damping_per_s = 4.0;
+  rot_free_time_scales(&p, sizes, &found);
+  ROT_CHECK(found.swing_rad_per_s == 6.0 + 2.0 * 3.0 / 0.5 && found.fades_s == 0.25);
+}
+
 int main(void) {
+  check_time_scales();
   check_damped();
   check_weight();
   check_explained();
