@@ -58,3 +58,9 @@ test_that("a scene that no constraint has is an error", {
   expect_error(trajectory(unknown, 0), class = "rotdyn_error_type")
   expect_error(choose_model(unknown, 0), class = "rotdyn_error_type")
 })
+
+test_that("a measure of several columns is their 2-norm, unless it has a distance of its own", {
+  between <- measure("m", c("x_m", "y_m"))$distance
+  expect_equal(between(cbind(4, 1:2), cbind(c(1, 4), c(5, 2))), c(5, 0))
+  expect_equal(measure("m", "x_m")$distance(cbind(c(1, 2)), cbind(c(0.5, 4))), c(0.5, 2))
+})

@@ -39,3 +39,13 @@ test_that("angles are drawn from the vertical to each link", {
   }
   expect_true(all(c("theta[1]", "theta[2]") %in% drawing$labels$symbol))
 })
+
+test_that("of many links the first four numbers are said, then that there are more", {
+  said <- function(length_m) {
+    quantities <- draw_chain(scene_chain(length_m, 1, rep(0.1, length(length_m))))$quantities
+    paste(unlist(quantities), collapse = "; ")
+  }
+  expect_match(said(1:5), "1, 2, 3, 4, ... m", fixed = TRUE)
+  expect_match(said(1:4), "1, 2, 3, 4 m", fixed = TRUE)
+  expect_match(said(c(2, 2)), "; 2 m", fixed = TRUE)
+})

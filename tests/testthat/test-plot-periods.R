@@ -25,6 +25,10 @@ test_that("groups with both errors, the pooled period as a line and a band", {
   expect_equal((wide$xend - wide$x) / 2, total)
   expect_equal(built$data[[6]]$label, "1.582 s, miscounted")
   expect_match(plot$labels$alt, "group D")
+  # The miscounted one in the second colour, as a cross.
+  points <- built$data[[5]]
+  expect_identical(sum(points$colour == rotdyn:::plot_colours[2]), 1L)
+  expect_identical(points$shape[points$colour == rotdyn:::plot_colours[2]], 4)
 })
 
 test_that("miscounted groups stand beyond the others, on their own side", {

@@ -169,3 +169,18 @@ test_that("the period of a row is that of its scene", {
   )
   expect_false("period_s" %in% sweep_outputs(scene_incline(body_disk(1, 0.2), 20))$output)
 })
+
+test_that("the balance of a row is of its first time, where the moment of inertia is another", {
+  arms <- scene_axle(inertia_knots(c(0, 1, 2), c(2, 1, 1)), omega0_rad_per_s = 3)
+  sweep <- sweep_run(sweep_plan(
+    arms, c(0, 0.5), design_list(data.frame(omega0_rad_per_s = c(3, 4))),
+    outputs = c("supplied_j", "lost_j", "balanced")
+  ))
+  for (row in 1:2) {
+    scene <- update(arms, omega0_rad_per_s = c(3, 4)[row])
+    energy <- audit(trajectory(scene, c(0, 0.5)))[1, ]
+    expect_equal(sweep$supplied_j[row], energy$supplied, tolerance = 1e-12)
+    expect_gt(sweep$supplied_j[row], 1)
+  }
+  expect_true(all(sweep$balanced == 1))
+})

@@ -102,3 +102,22 @@ test_that("probabilities and sweeps are checked", {
   attr(sweep, "sweep")$whole$sums$value[1] <- -3
   expect_error(summary(sweep), class = "rotdyn_error_type")
 })
+
+test_that("two motions differ by a share of what their errors allow together", {
+  scene <- scene_axle(1, torque_sinusoid(1, 2), resistance(0.1), omega0_rad_per_s = 1)
+  exact <- trajectory(scene, c(0, 5))
+  stepped <- trajectory(scene, c(0, 5), 1e-6, model = "axle_rk8pd")
+  errors <- function(x) attr(x, "run")$info$errors
+  off <- abs(c(
+    theta = stepped$theta_rad[2] - exact$theta_rad[2],
+    omega = stepped$omega_rad_per_s[2] - exact$omega_rad_per_s[2]
+  ))
+  allowed <- errors(exact)[names(off)] + errors(stepped)[names(off)]
+  expect_equal(difference_of(stepped, exact), max(off / allowed))
+  expect_identical(difference_of(exact, exact), 0)
+  # Of two that know the same.
+  expect_equal(difference_of(stepped, stepped), 0)
+  moved <- stepped
+  moved$theta_rad[2] <- moved$theta_rad[2] + 3 * errors(stepped)[["theta"]]
+  expect_equal(difference_of(moved, stepped), 1.5, tolerance = 1e-6)
+})
