@@ -18,6 +18,11 @@ const fastestTurn = 2 * Math.PI * 3;
 const idleMs = 500;
 const maxPanels = 4;
 
+// The kind of film that the browser records; undefined: none.
+const filmType = () => globalThis.MediaRecorder && HTMLCanvasElement.prototype.captureStream &&
+  ["video/webm;codecs=vp9", "video/webm", "video/mp4"]
+    .find((one) => MediaRecorder.isTypeSupported(one));
+
 let opening = null;
 const sharedEngine = () => opening ??= openEngine(bytesOf(rotdynParts.wasm));
 
@@ -804,6 +809,7 @@ class Lab extends HTMLElement {
     };
     const file = el("input", { type: "file", id: "data", accept: ".csv,.txt,text/csv",
       onchange: async () => { if (file.files[0]) this.useData(await file.files[0].text()); } });
+    this.film = this.drawn && filmType() ? button("save_film", () => this.saveFilm()) : null;
     return el("div", { class: "take", role: "group", "aria-label": this.say("take") },
       el("label", { for: "code", class: "part" }, this.say("code")), this.code,
       el("div", { class: "bar" }, button("copy_code", copy(this.code))),
@@ -813,6 +819,7 @@ class Lab extends HTMLElement {
         this.recording ? null : button("copy_link", copy(this.link)),
         button("save_csv", () => this.saveCsv()),
         button("save_svg", () => this.saveSvg()), button("save_png", () => this.savePng()),
+        this.film,
         rotdynParts.page() ? button("save_lab", () => this.saveLab()) : null),
       el("p", { class: "pair" }, el("label", { for: "data" }, this.say("data")), file),
       this.dataNote, this.residuals, this.tables);
@@ -860,19 +867,57 @@ class Lab extends HTMLElement {
 
   saveSvg() { this.download("rotdyn.svg", "image/svg+xml", this.pictureText()); }
 
-  // The same in pixels, four for each.
-  async savePng() {
+  // The same in pixels, four for each, on white; on `canvas` if there is one.
+  async pixels(canvas) {
     const text = this.pictureText(), image = new Image();
     const address = URL.createObjectURL(new Blob([text], { type: "image/svg+xml" }));
     image.src = address;
     await image.decode();
-    const canvas = el("canvas", { width: 2 * image.width, height: 2 * image.height });
+    canvas ??= el("canvas", { width: 2 * image.width, height: 2 * image.height });
     const pen = canvas.getContext("2d");
     pen.fillStyle = "#fff";
     pen.fillRect(0, 0, canvas.width, canvas.height);
     pen.drawImage(image, 0, 0, canvas.width, canvas.height);
     URL.revokeObjectURL(address);
-    canvas.toBlob((blob) => this.download("rotdyn.png", "image/png", blob));
+    return canvas;
+  }
+
+  async savePng() {
+    (await this.pixels()).toBlob((blob) => this.download("rotdyn.png", "image/png", blob));
+  }
+
+  // A film of the whole motion, at the speed of playing; the button ends it before.
+  async saveFilm() {
+    if (this.filming) {
+      this.filming = false;
+      return;
+    }
+    this.stop();
+    this.filming = true;
+    this.film.textContent = this.say("filming");
+    const kept = this.t, [from, to] = [this.run.time[0], this.run.time.at(-1)];
+    const nextFrame = () => new Promise((done) => requestAnimationFrame(done));
+    this.goto(from);
+    const canvas = await this.pixels(), parts = [];
+    const recorder = new MediaRecorder(canvas.captureStream(25), { mimeType: filmType() });
+    recorder.ondataavailable = ({ data }) => parts.push(data);
+    const ended = new Promise((done) => { recorder.onstop = done; });
+    recorder.start();
+    const began = await nextFrame();
+    for (let t = from; this.filming && t < to;) {
+      t = Math.min(to, from + (await nextFrame() - began) / 1000 * this.rate());
+      this.goto(t);
+      await this.pixels(canvas);
+    }
+    // The last picture stays for a quarter of a second.
+    await new Promise((done) => setTimeout(done, 250));
+    recorder.stop();
+    await ended;
+    this.filming = false;
+    this.film.textContent = this.say("save_film");
+    this.goto(kept);
+    const type = filmType();
+    this.download(`rotdyn.${/mp4/.test(type) ? "mp4" : "webm"}`, type, new Blob(parts, { type }));
   }
 
   saveLab() { this.download("lab.html", "text/html;charset=utf-8", rotdynParts.page(this.state())); }

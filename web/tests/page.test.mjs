@@ -326,6 +326,14 @@ test("pictures: SVG with the code in it, PNG", { skip }, async () => {
   const png = await saved("Save picture (PNG)");
   assert.equal(png.subarray(1, 4).toString(), "PNG");
   assert.ok(png.length > 4000);
+  // A film of ten seconds at ten times the speed, then the picture where it was.
+  await page.locator("#time").press("Home");
+  await page.locator("#speed").selectOption("10");
+  const film = await saved("Save film (video)");
+  assert.equal(film.subarray(0, 4).toString("hex"), "1a45dfa3");
+  assert.ok(film.length > 5000, `${film.length} bytes`);
+  await page.getByRole("button", { name: "Save film (video)" }).waitFor();
+  assert.equal(await page.locator("#time").inputValue(), "0");
   quiet(page);
   await page.close();
 });
