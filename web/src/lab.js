@@ -1010,8 +1010,10 @@ class Lab extends HTMLElement {
       this.showModels(this.engine.models());
       const link = linkOf(document.baseURI, this.state());
       this.link.value = link ?? "";
-      this.linkNote.hidden = link !== null;
-      this.linkNote.textContent = link === null ? this.say("link_too_long") : "";
+      // A page on a disk is found there alone.
+      const note = link === null ? "link_too_long" : link.startsWith("file:") ? "link_local" : "";
+      this.linkNote.hidden = note === "";
+      this.linkNote.textContent = note && this.say(note);
     }
     this.code.value = this.codeText();
     this.code.rows = Math.min(16, this.code.value.split("\n").length);
