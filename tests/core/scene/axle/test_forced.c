@@ -946,8 +946,8 @@ static void check_extremes(void) {
   }
 }
 
-/* The same motion in another unit of mass, to the bit: products that leave the range on their way, as
- * amplitude times a short time, lose nothing. */
+/* The same motion in another unit of mass, to the bit: products that leave the range on their way,
+ * as amplitude times a short time, lose nothing. */
 static void check_units_of_mass(void) {
   static const int powers[] = {-1000, -960, 900, 1000};
   const double t[] = {0x1p-60, 0x1p-30, 0x1p20};

@@ -93,8 +93,8 @@ static void check_explained(void) {
   kit_free(k);
 }
 
-/* Rates that turn the body: twice its own, and twice those that the rotors give it about the axis of
- * the least moment. */
+/* Rates that turn the body: twice its own, and twice those that the rotors give it about the axis
+ * of the smallest moment. */
 static void check_time_scales(void) {
   const rot_free_rotor rotors[] = {{.moment_kg_m2 = 0.1, .omega_rad_per_s = 20.0},
                                    {.moment_kg_m2 = 0.2, .omega_rad_per_s = -5.0}};
