@@ -26,6 +26,38 @@ index <- file.path(site, "search.json")
 entries <- Filter(function(entry) length(entry$title), jsonlite::read_json(index))
 jsonlite::write_json(entries, index, auto_unbox = TRUE)
 
+# ---- a lab in each lesson with a motion ----------------------------------------------------------
+
+# tools/site/labs.csv: articles, and their scenes of web/scenes; one script for all.
+folder <- file.path(site, "deps", "lab")
+dir.create(folder, recursive = TRUE, showWarnings = FALSE)
+script <- rotdyn:::lab_dependency()
+invisible(file.copy(file.path(script$src$file, script$script), folder, overwrite = TRUE))
+labs <- utils::read.csv(file.path("tools", "site", "labs.csv"))
+for (i in seq_len(nrow(labs))) {
+  page <- file.path(site, "articles", paste0(labs$article[i], ".html"))
+  if (!file.exists(page)) next
+  listed <- jsonlite::read_json(file.path("web", "scenes", paste0(labs$scene[i], ".json")))
+  text <- function(x) jsonlite::toJSON(x, auto_unbox = TRUE, digits = NA, null = "null")
+  attribute <- function(x) gsub("'", "&#39;", gsub("&", "&amp;", text(x), fixed = TRUE), fixed = TRUE)
+  element <- c(
+    "<div class=\"section level2\"><h2 id=\"try-it\">Try it</h2>",
+    "<p>The numbers of this scene can be moved; the page computes.</p>",
+    sprintf(
+      "<rotdyn-lab scene='%s' settings='%s'></rotdyn-lab></div>", attribute(listed$scene),
+      attribute(c(listed$settings, list(title = listed$title$en)))
+    ),
+    "<script src=\"../deps/lab/rotdyn-lab.js\"></script>"
+  )
+  lines <- readLines(page, encoding = "UTF-8", warn = FALSE)
+  at <- grep("</main>", lines, fixed = TRUE)[1]
+  stopifnot(!is.na(at))
+  lines[at] <- sub(
+    "</main>", paste0(paste(element, collapse = "\n"), "\n</main>"), lines[at], fixed = TRUE
+  )
+  writeLines(lines, page, useBytes = TRUE)
+}
+
 # ---- formulas ------------------------------------------------------------------------------------
 
 # \( ... \), \[ ... \] and $$ ... $$ of a text.

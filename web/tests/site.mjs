@@ -58,6 +58,22 @@ await page.waitForTimeout(1500);
 const hits = await page.locator(".aa-suggestion, [role=option]").allTextContents();
 check("search finds trajectory", hits.some((one) => /trajectory/i.test(one)), hits.join("; "));
 
+// Each lesson that tools/site/labs.csv lists has its lab, which has run.
+const labs = readFileSync(new URL("../../tools/site/labs.csv", import.meta.url), "utf8").trim()
+  .split("\n").slice(1).map((line) => line.split(","));
+const without = [];
+for (const [article, scene] of labs) {
+  if (!existsSync(join(SITE, "articles", `${article}.html`))) continue;
+  await page.goto(`${here}/articles/${article}.html`);
+  const lab = page.locator("rotdyn-lab");
+  const title = JSON.parse(readFileSync(
+    new URL(`../scenes/${scene}.json`, import.meta.url), "utf8")).title.en;
+  const model = await lab.locator(".model").textContent({ timeout: 5000 }).catch(() => "");
+  const shown = (await lab.getAttribute("settings")).includes(JSON.stringify(title));
+  if (!/^Model \w+_\w+: \w/.test(model) || !shown) without.push(`${article}: ${model}`);
+}
+check(`a lab in each of ${labs.length} lessons`, without.length === 0, without.join("; "));
+
 // A picture without its alpha channel has a black ground.
 const black = [];
 let pictures = 0;
