@@ -123,7 +123,7 @@ function drawHoop(look, row) {
     line([[0, -1.35], [0, 1.35]], "thin"),
     line(Array.from({ length: 65 }, (_, k) => turned(0, 0, 1, k * Math.PI / 32)), "body"),
     arrow(at, [at[0], at[1] - 0.3], "weight"), disc(...at, 0.09, "torque"),
-    ...sense(0, 1.3, 0.12, look.number("hoop_omega_rad_per_s"), "speed")
+    ...sense(0, 1.18, 0.12, look.number("hoop_omega_rad_per_s"), "speed")
   ] };
 }
 
