@@ -657,8 +657,9 @@ class Lab extends HTMLElement {
     });
     const show = (x) => `${this.numbers.show(x, error)}${unit ? ` ${unit}` : ""}`;
     const when = (i) => this.numbers.show(time[i], (time.at(-1) - time[0]) / 1000);
+    const label = line.label.charAt(0).toLocaleUpperCase(this.words.language) + line.label.slice(1);
     return this.say("line", {
-      label: line.label, first: show(values[0]), last: show(values.at(-1)),
+      label, first: show(values[0]), last: show(values.at(-1)),
       least: show(values[low]), least_time: when(low), most: show(values[high]),
       most_time: when(high)
     });
