@@ -9,7 +9,8 @@ lab_max_rows <- 4001L
 #' A page with a slider for each number of the scene. It computes with the same core, compiled for
 #' the browser: curves and a picture that move, the model and its reason, the error, the audit,
 #' events, the R code that gives the same numbers, a link that brings the set-up back, the rows as
-#' CSV. One file: it needs no server, no network and no R, and asks nobody for anything; so it can
+#' CSV, pictures (SVG, PNG) and a film of the motion (WebM, or MP4 where the browser records that).
+#' One file: it needs no server, no network and no R, and asks nobody for anything; so it can
 #' be opened from a disk, put on a web server or uploaded to a course page.
 #'
 #' In R Markdown, Quarto and the site a lab that a chunk returns is an element of the document; the
