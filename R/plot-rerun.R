@@ -9,7 +9,7 @@
 #' @section Errors: `rotdyn_error_package` without ggplot2; `rotdyn_error_argument`,
 #'   `rotdyn_error_type`, `rotdyn_error_value` where no values are kept.
 #' @seealso [records_rerun()].
-#' @examplesIf all(vapply(c("ggplot2", "DBI", "RSQLite"), requireNamespace, NA, quietly = TRUE))
+#' @examplesIf all(c("ggplot2", "RSQLite", "yyjsonr") %in% rownames(utils::installed.packages()))
 #' records <- DBI::dbConnect(RSQLite::SQLite(), ":memory:")
 #' records_create(records)
 #' run <- records_add(records, spin_up(time_s = 0:8))

@@ -25,6 +25,7 @@ test_that("differences are drawn over what is allowed", {
 
 test_that("a record computed again is drawn", {
   skip_if_not_installed("RSQLite")
+  skip_if_not_installed("yyjsonr")
   records <- DBI::dbConnect(RSQLite::SQLite(), ":memory:")
   on.exit(DBI::dbDisconnect(records))
   records_create(records)
