@@ -39,7 +39,9 @@ for (i in seq_len(nrow(labs))) {
   if (!file.exists(page)) next
   listed <- jsonlite::read_json(file.path("web", "scenes", paste0(labs$scene[i], ".json")))
   text <- function(x) jsonlite::toJSON(x, auto_unbox = TRUE, digits = NA, null = "null")
-  attribute <- function(x) gsub("'", "&#39;", gsub("&", "&amp;", text(x), fixed = TRUE), fixed = TRUE)
+  attribute <- function(x) {
+    gsub("'", "&#39;", gsub("&", "&amp;", text(x), fixed = TRUE), fixed = TRUE)
+  }
   element <- c(
     "<div class=\"section level2\"><h2 id=\"try-it\">Try it</h2>",
     "<p>The numbers of this scene can be moved; the page computes.</p>",
