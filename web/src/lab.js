@@ -896,7 +896,18 @@ class Lab extends HTMLElement {
     this.stop();
     this.filming = true;
     this.film.textContent = this.say("filming");
-    const kept = this.t, [from, to] = [this.run.time[0], this.run.time.at(-1)];
+    const kept = this.t;
+    try {
+      await this.record();
+    } finally {
+      this.filming = false;
+      this.film.textContent = this.say("save_film");
+      this.goto(kept);
+    }
+  }
+
+  async record() {
+    const [from, to] = [this.run.time[0], this.run.time.at(-1)];
     const nextFrame = () => new Promise((done) => requestAnimationFrame(done));
     this.goto(from);
     const canvas = await this.pixels(), parts = [];
@@ -914,9 +925,6 @@ class Lab extends HTMLElement {
     await new Promise((done) => setTimeout(done, 250));
     recorder.stop();
     await ended;
-    this.filming = false;
-    this.film.textContent = this.say("save_film");
-    this.goto(kept);
     const type = filmType();
     this.download(`rotdyn.${/mp4/.test(type) ? "mp4" : "webm"}`, type, new Blob(parts, { type }));
   }
