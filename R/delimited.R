@@ -97,8 +97,8 @@ cell_numbers <- function(cells, decimal) {
   out
 }
 
-# The separator and decimal mark with which most lines are rows of as many numbers.
-find_dialect <- function(lines) {
+# The separator and decimal mark with which most lines are rows of as many numbers, `least` or more.
+find_dialect <- function(lines, least = 2L) {
   if (length(lines) > 400L) lines <- lines[unique(round(seq(1, length(lines), length.out = 400L)))]
   best <- list(score = 0)
   for (separator in c(",", ";", "\t", " ")) {
@@ -110,7 +110,7 @@ find_dialect <- function(lines) {
       row <- rep(seq_along(cells), size)
       number <- is_number_cell(flat, decimal)
       fine <- number | flat %in% missing_cells
-      whole <- size >= 2L & tabulate(row[!fine], length(cells)) == 0L &
+      whole <- size >= least & tabulate(row[!fine], length(cells)) == 0L &
         tabulate(row[number], length(cells)) > 0L
       if (!any(whole)) next
       counts <- table(size[whole])
@@ -135,6 +135,8 @@ read_delimited <- function(text, file, call) {
   lines <- lines[nzchar(trimws(lines))]
   if (length(lines) < 2L) abort_file("It has fewer than two lines.", file, call)
   dialect <- find_dialect(lines)
+  # A log of one column: what a counter of a known rate writes.
+  if (dialect$score < 2) dialect <- find_dialect(lines, 1L)
   if (dialect$score < 2) {
     abort_file("It is not a table of numbers, whatever the separator.", file, call)
   }
@@ -155,6 +157,8 @@ read_delimited <- function(text, file, call) {
   while (top >= 1L && abs(size[top] - dialect$size) <= blank_end[first] && size[top] > 1L) {
     top <- top - 1L
   }
+  # Of one column any line above could be a heading: the last one is.
+  if (dialect$size == 1L) top <- max(first - 2L, 0L)
   head <- cells[seq_len(first - 1L)[-seq_len(top)]]
   if (!top) head <- cells[seq_len(first - 1L)]
   width <- dialect$size

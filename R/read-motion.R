@@ -9,7 +9,8 @@
 #'   (the picture's y is down), its angle and its scale.
 #' * **Vernier**: CSV and text of Logger Pro and Graphical Analysis, `.cmbl`, `.gambl`.
 #' * **PASCO** Capstone: CSV or text, runs side by side.
-#' * **IMU** logs: Sensor Logger, NGIMU, xio, and any table with units in its headings.
+#' * **IMU** logs: Sensor Logger, NGIMU, xio, and any table with units in its headings; in names
+#'   without a slash, `gyro_z_rad_s` is a rate in rad/s.
 #'
 #' Separators, decimal marks, the encoding and the line of the headings are found. Runs side by side
 #' become segments. Rows with another number of cells than the first are dropped and named, never

@@ -23,9 +23,9 @@ unit_table <- local({
       "rate", "rad/s" = 1, "rads/s" = 1, "rad/sec" = 1, "radian/s" = 1, "radians/s" = 1,
       "radians/sec" = 1, "radians/second" = 1, "mrad/s" = 1e-3, "rad/ms" = 1e3, "deg/s" = deg,
       "degs/s" = deg, "deg/sec" = deg, "degree/s" = deg, "degrees/s" = deg, "degrees/sec" = deg,
-      "degrees/second" = deg, dps = deg, mdps = deg / 1000, rpm = turn / 60, "rev/min" = turn / 60,
-      "r/min" = turn / 60, "turn/s" = turn, "turns/s" = turn, "rev/s" = turn, "revs/s" = turn,
-      rps = turn
+      "degrees/second" = deg, dps = deg, mdps = deg / 1000, radps = 1, degps = deg,
+      rpm = turn / 60, "rev/min" = turn / 60, "r/min" = turn / 60, rps = turn,
+      "turn/s" = turn, "turns/s" = turn, "rev/s" = turn, "revs/s" = turn
     ),
     kind("length", m = 1, cm = 1e-2, mm = 1e-3, um = 1e-6, km = 1e3, inch = 0.0254),
     kind(
@@ -52,12 +52,21 @@ parse_unit <- function(text) {
   list(kind = unit_table$kind[at], factor = unit_table$factor[at], text = text)
 }
 
+# Names of a rate of turning, in small letters.
+rate_names <- "gyr|omega|rate|velocity|speed|^w_?[xyz]?$"
+
 # A heading apart: the name, and the unit where it has one: "Time (s)", "Angle/rad", "omega [rpm]",
 # "theta_deg". `said` is what stood in the place of a unit, known or not.
 parse_heading <- function(heading) {
   plain <- function(name, unit = NULL, said = NULL) {
+    # omega_rads is a rate.
+    if (!is.null(unit) && unit$text %in% c("rads", "degs") && grepl(rate_names, lower_case(name))) {
+      unit <- parse_unit(sub("s$", "/s", unit$text))
+    }
     list(name = trimws(name), unit = unit, said = said %||% unit$text)
   }
+  whole <- parse_unit(heading)
+  if (identical(whole$kind, "rate")) return(plain(heading, whole))
   found <- regmatches(heading, gregexpr("[(][^()]*[)]|\\[[^][]*\\]", heading))[[1]]
   for (part in rev(found)) {
     inside <- substr(part, 2, nchar(part) - 1)
@@ -71,8 +80,11 @@ parse_heading <- function(heading) {
   }
   words <- strsplit(heading, "_", fixed = TRUE)[[1]]
   for (k in seq_along(words)[-1]) {
-    unit <- parse_unit(paste(words[k:length(words)], collapse = " "))
-    if (!is.null(unit)) return(plain(paste(words[seq_len(k - 1)], collapse = "_"), unit))
+    name <- paste(words[seq_len(k - 1)], collapse = "_")
+    # A name has no slash: gyro_z_rad_s is in rad/s.
+    last <- sub("( per)? (s2?|sec|second)$", "/\\2", paste(words[k:length(words)], collapse = " "))
+    unit <- parse_unit(last)
+    if (!is.null(unit)) return(plain(name, unit))
   }
   if (length(found)) {
     last <- found[length(found)]

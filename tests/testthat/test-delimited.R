@@ -55,6 +55,25 @@ test_that("rows with another number of cells are dropped, never shifted", {
   expect_error(read_text(rows), class = "rotdyn_error_file")
 })
 
+test_that("a log of one column, of a known rate", {
+  file <- tempfile(fileext = ".csv")
+  rates <- c(1, -2.5, 3e-2, 4)
+  for (above in list("wz (rad/s)", c("# a log of one column", "wz (rad/s)"))) {
+    writeLines(c(above, rates), file)
+    log <- read_imu(file, rate_hz = 10)
+    expect_identical(log$omega_rad_per_s, rates)
+    expect_equal(log$time_s, 0:3 / 10)
+  }
+  expect_error(read_imu(file), "rate_hz", class = "rotdyn_error_file")
+  expect_error(read_tracker(file), class = "rotdyn_error_file")
+  writeLines(as.character(rates), file)
+  expect_error(read_imu(file, rate_hz = 10), class = "rotdyn_error_file")
+  log <- read_imu(file, rate_hz = 10, headings = "wz (deg/s)")
+  expect_equal(log$omega_rad_per_s, rates * pi / 180)
+  writeLines(c("wz", "one", "two"), file)
+  expect_error(read_imu(file, rate_hz = 10), "table of numbers", class = "rotdyn_error_file")
+})
+
 test_that("encodings", {
   text <- "Zeit (s);Winkel (\u00b0)\n0,5;10\n0,6;20\n"
   call <- rlang::current_env()

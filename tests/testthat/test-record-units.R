@@ -17,6 +17,24 @@ test_that("headings of instruments give the name, the unit and the factor", {
   expect_equal(heads$name[c(1, 3, 4, 7, 9)], c("Time", "AngVel", "Gyroscope x", "theta", "Angle"))
 })
 
+test_that("a unit in a name without a slash is a rate where it ends in the second", {
+  deg <- pi / 180
+  rates <- heading_table(c(
+    "gyro_z_rad_s", "wz_deg_s", "yaw_rate_deg_s", "omega_rads", "Gyro Z (degs)", "GyroZ_radps",
+    "gyr_z_degps", "omega_rad_per_sec", "w_rev_s", "rpm", "rad/s"
+  ))
+  expect_identical(rates$kind, rep("rate", 11))
+  expect_equal(
+    rates$factor, c(1, deg, deg, 1, deg, 1, deg, 1, 2 * pi, pi / 30, 1), tolerance = 1e-15
+  )
+  expect_identical(rates$component[1:2], c("z", "z"))
+  others <- heading_table(c("v_m_s", "a_m_s2", "alpha_rad_s2", "theta_rads", "time_s", "t_max_s",
+    "rad", "s", "m"))
+  expect_identical(
+    others$kind, c("other", "other", "other", "angle", "time", "time", NA, NA, NA)
+  )
+})
+
 test_that("each word of a unit is its multiple of the SI unit", {
   factor <- function(...) vapply(c(...), function(text) rotdyn:::parse_unit(text)$factor, 0)
   same <- function(words, value) expect_equal(unname(factor(words)) / value, rep(1, length(words)))
