@@ -350,7 +350,7 @@ table_columns <- function(table, heads, file, call) {
     if (length(x) != 1L || length(y) != 1L) {
       abort_file(
         paste("None of its headings says an angle or a rate:", quote_all(table$headings)), file,
-        call, renaming
+        call, paste("A heading has its unit: {.val theta (deg)}, {.val gyro_z_rad_s}.", renaming)
       )
     }
     columns$x_m <- take(x, "x_m")

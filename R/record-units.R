@@ -67,6 +67,10 @@ parse_heading <- function(heading) {
   }
   whole <- parse_unit(heading)
   if (identical(whole$kind, "rate")) return(plain(heading, whole))
+  # Zeit in s
+  worded <- regmatches(heading, regexec("^(.+) in ([^ ]+)$", heading))[[1]]
+  unit <- if (length(worded)) parse_unit(worded[3])
+  if (!is.null(unit)) return(plain(worded[2], unit))
   found <- regmatches(heading, gregexpr("[(][^()]*[)]|\\[[^][]*\\]", heading))[[1]]
   for (part in rev(found)) {
     inside <- substr(part, 2, nchar(part) - 1)
@@ -105,17 +109,23 @@ heading_table <- function(headings) {
   times <- c("t", "time", "seconds_elapsed", "elapsed", "elapsed time", "zeit", "temps", "tiempo")
   bare <- is.na(kind) & words %in% times
   kind[bare] <- "time"
+  # Names of the clocks of microcontrollers.
+  clock <- match(words, c("millis", "micros"))
+  clocked <- is.na(kind) & !is.na(clock)
+  kind[clocked] <- "time"
+  factor[clocked] <- c(1e-3, 1e-6)[clock[clocked]]
+  unit <- vapply(parsed, function(p) p$unit$text %||% p$said %||% NA_character_, "")
+  unit[clocked] <- c("ms", "us")[clock[clocked]]
   component <- rep(NA_character_, length(headings))
   axis <- regmatches(words, regexec("(^|[^a-z0-9])([xyz])([^a-z0-9]|$)", words))
   axis <- vapply(axis, function(m) if (length(m)) m[3] else NA_character_, "")
-  # gyroX, gyrox, wx
-  short <- regmatches(words, regexec("^(gyr|gyro|gyroscope|omega|w|rotation|rot)_?([xyz])$", words))
+  # gyroX, gyrox, gx, wx
+  short <- regmatches(words, regexec("^(g|gyr|gyro|gyroscope|omega|w|rotation|rot)_?([xyz])$", words))
   short <- vapply(short, function(m) if (length(m)) m[3] else NA_character_, "")
   component <- ifelse(is.na(axis), short, axis)
   component[grepl("absolute|magnitude|betrag|norm$", words)] <- "absolute"
   data.frame(
     heading = headings, name = vapply(parsed, `[[`, "", "name"), kind = kind, factor = factor,
-    unit = vapply(parsed, function(p) p$unit$text %||% p$said %||% NA_character_, ""),
-    component = component
+    unit = unit, component = component
   )
 }

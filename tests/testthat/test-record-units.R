@@ -35,6 +35,16 @@ test_that("a unit in a name without a slash is a rate where it ends in the secon
   )
 })
 
+test_that("clocks of microcontrollers and units in words", {
+  heads <- heading_table(c(
+    "millis", "micros", "Zeit in ms", "Winkel in rad", "gz_dps", "micros_left", "made in Rome"
+  ))
+  expect_identical(heads$kind, c("time", "time", "time", "angle", "rate", NA, NA))
+  expect_equal(heads$factor[1:5], c(1e-3, 1e-6, 1e-3, 1, pi / 180))
+  expect_identical(heads$unit[1:2], c("ms", "us"))
+  expect_identical(heads$component[5], "z")
+})
+
 test_that("each word of a unit is its multiple of the SI unit", {
   factor <- function(...) vapply(c(...), function(text) rotdyn:::parse_unit(text)$factor, 0)
   same <- function(words, value) expect_equal(unname(factor(words)) / value, rep(1, length(words)))
