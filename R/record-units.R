@@ -120,8 +120,8 @@ heading_table <- function(headings) {
   axis <- regmatches(words, regexec("(^|[^a-z0-9])([xyz])([^a-z0-9]|$)", words))
   axis <- vapply(axis, function(m) if (length(m)) m[3] else NA_character_, "")
   # gyroX, gyrox, gx, wx
-  short <- regmatches(words, regexec("^(g|gyr|gyro|gyroscope|omega|w|rotation|rot)_?([xyz])$", words))
-  short <- vapply(short, function(m) if (length(m)) m[3] else NA_character_, "")
+  short <- regmatches(words, regexec("^(g|gyr|gyro(scope)?|omega|w|rot(ation)?)_?([xyz])$", words))
+  short <- vapply(short, function(m) if (length(m)) m[length(m)] else NA_character_, "")
   component <- ifelse(is.na(axis), short, axis)
   component[grepl("absolute|magnitude|betrag|norm$", words)] <- "absolute"
   data.frame(
