@@ -187,6 +187,15 @@ abort_domain <- function(x, arg, unit, call, lower, upper, open, row = NULL) {
   )
 }
 
+# The probability of an interval: none is certain.
+check_level <- function(level, call) {
+  level <- check_number(level, "level", "1", call)
+  if (level > 0 && level < 1) return(level)
+  abort_rotdyn(
+    c("{.arg level} must be between 0 and 1, without them.", x = "It is {level}."), "value", call
+  )
+}
+
 # A column of doubles; NA, also logical, is allowed.
 check_column <- function(x, arg, unit, call) {
   if (is.object(x)) x <- as_si(x, unit, arg, call)

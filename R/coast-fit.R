@@ -85,7 +85,7 @@ fit_coast_down <- function(records, inertia = NULL, losses = c("coulomb", "visco
   losses <- check_losses(losses, call)
   runout <- check_choice(runout, "runout", c("test", "fit", "none"), call)
   noise <- check_choice(noise, "noise", c("find", "white"), call)
-  level <- check_number(level, "level", "1", call, lower = 0, upper = 1, open = TRUE)
+  level <- check_level(level, call)
   if (!is.null(inertia)) {
     inertia <- as_measured(inertia, "inertia", "kg*m^2", call, lower = 0, open = TRUE)
   }

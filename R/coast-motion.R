@@ -163,7 +163,7 @@ predict.rot_coast_fit <- function(object, time_s = NULL, ..., run = 1, level = N
   check_no_dots(...)
   fit <- coast_fit(object, "object", call)
   i <- check_run(run, fit, call)
-  level <- if (is.null(level)) fit$level else check_number(level, "level", "1", call, 0, 1, TRUE)
+  level <- if (is.null(level)) fit$level else check_level(level, call)
   time_s <- if (is.null(time_s)) fit$runs[[i]]$time_s else check_finite(time_s, "time_s", "s", call)
   start <- fit$runs[[i]]$time_s[1]
   if (length(time_s) && min(time_s) < start) {

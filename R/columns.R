@@ -579,6 +579,35 @@ column_table <- function() {
   }
   columns_read$table
 }
+
+# What stands for units in the names of columns and arguments: "rad_per_s", "per_s".
+unit_suffix <- function(units) {
+  words <- gsub("^", "", gsub("/", "_per_", units, fixed = TRUE), fixed = TRUE)
+  ifelse(units == "degree", "deg", sub("^1_", "", tolower(gsub("[ *]", "_", words))))
+}
+
+# "rad/s" of `spin_rad_per_s`, by the columns whose names end alike, "1/s" of `decay_per_s`;
+# else "1".
+unit_in_name <- function(names) {
+  # Of no column, but of an argument of resistance().
+  known <- union(stats::na.omit(column_table()$unit), "N m s^2")
+  known <- known[nzchar(known) & !startsWith(known, "1")]
+  suffix <- unit_suffix(known)
+  vapply(names, function(name) {
+    fits <- endsWith(name, paste0("_", suffix))
+    if (!any(fits)) return("1")
+    best <- which(fits)[which.max(nchar(suffix[fits]))]
+    before <- substr(name, 1L, nchar(name) - nchar(suffix[best]) - 1L)
+    if (!endsWith(before, "_per")) return(known[best])
+    paste0(unit_in_name(sub("_per$", "", before)), "/", known[best])
+  }, "", USE.NAMES = FALSE)
+}
+
+# The words of a name before its unit.
+words_in_name <- function(name, unit = unit_in_name(name)) {
+  if (unit != "1") name <- substr(name, 1L, nchar(name) - nchar(unit_suffix(unit)) - 1L)
+  gsub("_", " ", name)
+}
 columns_read <- new.env(parent = emptyenv())
 
 # For the help pages: an itemized list of columns. `meanings`: those of this page, by name.

@@ -267,23 +267,15 @@ torque_text <- function(torque) {
   describe_torque(torque)
 }
 
-# Suffixes of names and the units that they mean, the longest first.
-name_units <- c(
-  kg_m2_per_s = "kg m^2/s", n_m_per_rad = "N m/rad", m_per_s2 = "m/s^2", rad_per_s = "rad/s",
-  kg_per_m = "kg/m", n_m_s2 = "N m s^2", kg_m2 = "kg m^2", m_per_s = "m/s", n_m_s = "N m s",
-  n_m = "N m", rad = "rad", deg = "degree", kg = "kg", m = "m", s = "s", j = "J", w = "W", n = "N"
-)
-
 # The numbers of a scene whose names end in a unit, without those that are 0.
 field_quantities <- function(scene) {
   rows <- lapply(names(scene), function(name) {
-    suffix <- Find(function(one) endsWith(name, paste0("_", one)), names(name_units))
+    unit <- unit_in_name(name)
     x <- scene[[name]]
-    if (is.null(suffix) || !is.numeric(x) || !length(x) || !all(is.finite(x)) || all(x == 0)) {
+    if (unit == "1" || !is.numeric(x) || !length(x) || !all(is.finite(x)) || all(x == 0)) {
       return(NULL)
     }
-    words <- gsub("_", " ", substr(name, 1L, nchar(name) - nchar(suffix) - 1L))
-    quantity("", words, value_text(x, name_units[[suffix]]))
+    quantity("", words_in_name(name, unit), value_text(x, unit))
   })
   do.call(rbind, rows) %||% quantity("", "a scene", "")
 }

@@ -297,6 +297,7 @@ predict.rot_fit <- function(object, time_s, ..., record = 1) {
   motion_at(scene, check_times(time_s, call))
 }
 
+#' @rdname fit_verbs
 #' @export
 coef.rot_fit <- function(object, ...) {
   fit <- fit_of(object, current_env(), "object")
@@ -333,21 +334,6 @@ measured_values.rot_fit <- function(x, call) {
     )
     measured_from_parts(fit$found$x[k], parts, p$name[k])
   })
-}
-
-#' @export
-confint.rot_fit <- function(object, parm = NULL, level = NULL, ...) {
-  call <- check_no_dots(...)
-  fit <- fit_of(object, call, "object")
-  if (!is.null(level) && !isTRUE(all.equal(level, fit$about$level))) {
-    abort_rotdyn(c(
-      "The intervals of this fit have the level {fit$about$level}.",
-      i = "Another one is an argument of {.fn fit_scene}: {.code level = {level}}."
-    ), "argument", call)
-  }
-  out <- cbind(lower = object$lower, upper = object$upper)
-  rownames(out) <- attr(object, "fit")$about$parameters$name
-  if (is.null(parm)) out else out[parm, , drop = FALSE]
 }
 
 #' Profiles of a fit

@@ -64,8 +64,8 @@
 #' @return A tibble of class `rot_fit` with a row for each unknown and the columns
 #'   `r describe_columns(fit_columns, fit_meanings)`
 #'   `augment()` gives the records with the fitted motion, `glance()` one row, [predict()] the
-#'   motion at any time, [as_scene()] the scene, [vcov()], [coef()] and [confint()] what they are
-#'   elsewhere.
+#'   motion at any time, [as_scene()] the scene, [vcov()], [coef()], [confint()] and
+#'   [residuals()][fit_verbs] what they are elsewhere.
 #' @section Errors: `rotdyn_error_argument` for an unknown that is no input, is derived, or is there
 #'   twice, and for a column that the motion lacks; `rotdyn_error_value` for a start outside the
 #'   domain or its limits, an unknown without effect on what was observed, and times before the
@@ -120,7 +120,7 @@ fit_scene <- function(scene, records, unknown, ..., build = NULL, lower = NULL, 
   about <- list(
     build = build, noise = noise,
     outliers = check_choice(outliers, "outliers", c("leave_out", "keep"), call),
-    level = check_number(level, "level", "1", call, lower = 0, upper = 0.9999, open = TRUE),
+    level = check_level(level, call),
     accuracy = check_number(accuracy, "accuracy", "1", call, lower = 0, open = TRUE)
   )
   starts <- floor(check_number(starts, "starts", "1", call, 0, 1000))

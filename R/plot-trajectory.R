@@ -332,10 +332,8 @@ choose_panels <- function(constraint, panels, columns, call) {
 
 # "angular momentum (kg m^2/s)" of the column's name, by the unit in it.
 column_label <- function(name) {
-  suffix <- Find(function(one) endsWith(name, paste0("_", one)), names(name_units))
-  if (is.null(suffix)) return(gsub("_", " ", name))
-  words <- substr(name, 1L, nchar(name) - nchar(suffix) - 1L)
-  paste0(gsub("_", " ", words), " (", name_units[[suffix]], ")")
+  unit <- unit_in_name(name)
+  paste0(words_in_name(name, unit), if (unit != "1") paste0(" (", unit, ")"))
 }
 
 # The columns of the panels in long form: time_s, value, panel, line, run. Where rows have an index,

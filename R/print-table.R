@@ -88,7 +88,7 @@ upright_lines <- function(x) {
   units <- table$unit[match(names(x), table$name)]
   # Columns that are arguments have theirs in the name.
   other <- is.na(units)
-  units[other] <- unit_in_name(names(x)[other])
+  units[other] <- unit_in_name(sub("_se$", "", names(x)[other]))
   units[units == "1" | vapply(x, is.na, NA)] <- ""
   values <- vapply(x, function(value) {
     if (is.double(value)) format(signif(as.double(value), 7), digits = 7) else
@@ -102,19 +102,6 @@ upright_lines <- function(x) {
     paste(strwrap(line, width, exdent = 4), collapse = "\n")
   }, "")
   c(paste0("# One row, ", length(x), " columns"), lines)
-}
-
-# "rad/s" of `spin_rad_per_s`, by the columns whose names end alike; else "1".
-unit_in_name <- function(names) {
-  table <- column_table()
-  known <- unique(stats::na.omit(table$unit))
-  suffix <- gsub("^2", "2", gsub("*", "_", gsub("/", "_per_", known, fixed = TRUE), fixed = TRUE),
-                 fixed = TRUE)
-  suffix <- ifelse(known == "degree", "deg", tolower(gsub(" ", "_", suffix, fixed = TRUE)))
-  vapply(names, function(name) {
-    fits <- known != "1" & endsWith(name, paste0("_", suffix))
-    if (any(fits)) known[fits][which.max(nchar(suffix[fits]))] else "1"
-  }, "", USE.NAMES = FALSE)
 }
 
 # Lines of as many columns as fit without abbreviated names. `of`: the object, for the head, since a

@@ -34,8 +34,7 @@ predict.rot_swing_fit <- function(object, time_s = NULL, ..., level = 0.95) {
   call <- current_env()
   check_no_dots(...)
   check_swing_motion(object, "object", call)
-  level <- check_number(level, "level", "1", call, 0, 1, TRUE)
-  if (level == 1) abort_domain(level, "level", "1", call, 0, 1, TRUE)
+  level <- check_level(level, call)
   time_s <- if (is.null(time_s)) object$samples$time_s else {
     check_finite(time_s, "time_s", "s", call)
   }

@@ -340,6 +340,21 @@ test_that("what is an argument has the unit of its name", {
     unit_in_name(c("spin_rad_per_s", "transverse_moment_kg_m2", "axis_angle_deg", "beta", "x_m")),
     c("rad/s", "kg m^2", "degree", "1", "m")
   )
+  # Inverse units and those of no column.
+  expect_identical(
+    unit_in_name(c("decay_per_s", "quadratic_per_rad", "flow_kg_per_s", "shaft_n_m_per_rad",
+                   "quadratic_n_m_s2", "impulse_n_s", "alpha_rad_per_s2", "s")),
+    c("1/s", "1/rad", "kg/s", "N m/rad", "N m s^2", "N s", "rad/s^2", "1")
+  )
+  table <- column_table()
+  named <- table[!table$unit %in% c("", "1", "(rad/s)^2") & grepl("_", table$name), ]
+  expect_identical(unit_in_name(named$name), named$unit)
+  expect_identical(column_label("decay_per_s"), "decay (1/s)")
+  expect_identical(column_label("normal_impulse_n_s"), "normal impulse (N s)")
+  expect_identical(column_label("alpha_rad_per_s2"), "alpha (rad/s^2)")
+  expect_identical(column_label("rolling_heat"), "rolling heat")
+  swing <- new_table(list(decay_per_s = 0.1, decay_per_s_se = 0.01), nrow = 1L)
+  expect_output(print(swing), "decay_per_s +0.1 1/s\n +decay_per_s_se +0.01 1/s$")
 })
 
 test_that("the summary of a fit and of an estimate is one row, not quartiles of its columns", {

@@ -1,0 +1,60 @@
+# R's own verbs on the three fits, beside augment(), glance() and the tables.
+
+wheel <- scene_axle(0.02, resistance = resistance(1e-3), omega0_rad_per_s = 20)
+samples <- trajectory(wheel, 0:80 / 20)[c("time_s", "theta_rad")]
+samples$theta_rad <- samples$theta_rad + 1e-3 * sin(1e4 * samples$time_s)
+swing <- scene_pendulum(body_point(1), 0.8, resistance = resistance(0.02), theta0_rad = 0.5)
+swung <- trajectory(swing, 0:200 / 20)[c("time_s", "theta_rad")]
+swung$theta_rad <- swung$theta_rad + 1e-3 * sin(1e4 * swung$time_s)
+
+coast <- fit_coast_down(samples, 0.02, losses = c("viscous", "coulomb"))
+whole <- fit_scene(wheel, samples, c("resistance$viscous_n_m_s", "omega0_rad_per_s"))
+pendulum <- fit_swing(swung, losses = "viscous")
+fits <- list(coast, whole, pendulum)
+
+test_that("residuals are data less fit, one for each sample", {
+  for (fit in fits) {
+    rows <- generics::augment(fit)
+    expect_identical(residuals(fit), rows$residual)
+    expect_identical(fitted(fit), rows$fitted)
+    expect_identical(residuals(fit), rows$measured - rows$fitted)
+    expect_identical(as.double(nobs(fit)), as.double(nrow(rows)))
+    expect_lt(df.residual(fit), nobs(fit))
+    expect_error(residuals(fit, 1), class = "rotdyn_error_argument")
+  }
+  expect_identical(df.residual(whole), 79)
+})
+
+test_that("coefficients and their intervals have the names of the unknowns", {
+  expect_identical(coef(coast), stats::setNames(coast$value, coast$loss))
+  expect_identical(names(coef(coast)), c("coulomb", "viscous"))
+  expect_identical(coef(whole), stats::setNames(whole$value, whole$unknown))
+  for (fit in list(coast, whole)) {
+    ends <- confint(fit)
+    expect_identical(dimnames(ends), list(names(coef(fit)), c("lower", "upper")))
+    expect_identical(unname(ends), unname(cbind(fit$lower, fit$upper)))
+    expect_identical(confint(fit, 2), ends[2, , drop = FALSE])
+    expect_identical(confint(fit, names(coef(fit))[2]), ends[2, , drop = FALSE])
+    expect_identical(confint(fit, level = 0.95), ends)
+    expect_error(confint(fit, level = 0.9), "level", class = "rotdyn_error_argument")
+    expect_error(confint(fit, "mass"), "mass", class = "rotdyn_error_argument")
+    expect_error(confint(fit, 3), class = "rotdyn_error_argument")
+  }
+})
+
+test_that("a swing's intervals are Student's, at any level", {
+  expect_identical(names(coef(pendulum)), c("period_s", "omega0_rad_per_s", "decay_per_s"))
+  expect_identical(coef(pendulum)[["period_s"]], pendulum$period_s$value)
+  expect_identical(coef(pendulum)[["decay_per_s"]], pendulum$decay_per_s$value)
+  at <- pendulum$period_s
+  for (level in c(0.95, 0.5)) {
+    half <- at$u * stats::qt((1 + level) / 2, at$dof)
+    expect_equal(
+      confint(pendulum, "period_s", level = level)[1, ],
+      c(lower = at$value - half, upper = at$value + half), tolerance = 1e-14
+    )
+  }
+  expect_identical(confint(pendulum), confint(pendulum, level = 0.95))
+  expect_error(confint(pendulum, level = 1), class = "rotdyn_error_value")
+  expect_error(confint(pendulum, "coulomb_rad_per_s2"), class = "rotdyn_error_argument")
+})
