@@ -18,7 +18,7 @@
 #' @param resistance,brake NULL, or a list of two [resistance()]s and [brake()]s, with NULL for
 #'   none.
 #' @param theta0_rad,omega0_rad_per_s Angles and angular velocities of the two bodies at `start_s`:
-#'   two numbers each.
+#'   two numbers each, or one for both.
 #' @param engage_s Time from which the clutch is pressed; -Inf, or any time up to `start_s`, for
 #'   always.
 #' @param start_s Time at which the state above holds. Earlier times are an error: the slip before
@@ -66,8 +66,7 @@ scene_clutch <- function(body_1, body_2, capacity_n_m, ..., static_capacity_n_m 
       capacity, static_ratio = if (capacity > 0) static / capacity else 1, from_s = engage_s
     ),
     torque = torque, resistance = resistance, brake = brake,
-    theta0_rad = rep_len(theta0_rad, 2), omega0_rad_per_s = rep_len(omega0_rad_per_s, 2),
-    start_s = start_s
+    theta0_rad = theta0_rad, omega0_rad_per_s = omega0_rad_per_s, start_s = start_s
   )
 }
 

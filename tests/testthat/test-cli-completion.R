@@ -75,3 +75,12 @@ test_that("fish completes values", {
   expect_setequal(offers("rotdyn roll --format "), rotdyn:::cli_formats)
   expect_setequal(offers("rotdyn audit --model "), models()$model)
 })
+
+test_that("zsh and fish say what each verb is for", {
+  for (shell in c("zsh", "fish")) {
+    text <- paste(cli("completion", shell)$out, collapse = "\n")
+    for (verb in verbs) {
+      expect_true(grepl(sub("[':].*", "", verb$help[1]), text, fixed = TRUE), info = verb$name)
+    }
+  }
+})

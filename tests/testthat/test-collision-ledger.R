@@ -108,3 +108,8 @@ test_that("a ledger prints within 80 columns", {
     expect_match(shown[2], "before +after +outside +lost$")
   }
 })
+
+test_that("rims meet between the axles", {
+  met <- rims_meet(1, 3, 60, 5, radius_1_m = 0.1, radius_2_m = 0.25)
+  expect_equal(attr(met, "collision")$contact, cbind(0.1, 0, 0))
+})

@@ -129,3 +129,10 @@ test_that("values of a fit are measured numbers with their correlations", {
   expect_identical((measured(fit)$theta0_rad - numbers$theta0_rad)$u, 0)
   expect_identical(nrow((measured(fit)$theta0_rad - numbers$theta0_rad)$parts), 0L)
 })
+
+test_that("a planned record observes columns by name", {
+  expect_identical(planned_record(1:3, c("theta_rad", "theta_rad"))$observed, "theta_rad")
+  for (observed in list(character(), NA_character_, c("theta_rad", NA), 1)) {
+    expect_error(planned_record(1:3, observed), "names of columns", class = "rotdyn_error_type")
+  }
+})

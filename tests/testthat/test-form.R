@@ -190,3 +190,15 @@ test_that("a number that is none is refused in each part that is a number", {
     }
   }
 })
+
+test_that("whole numbers and flags with a class are no numbers of a form", {
+  takes <- function(x, kind) {
+    is.list(rotdyn:::check_form(list(x = x), list(x = kind), "x", "thing", rlang::current_env()))
+  }
+  expect_true(takes(3L, "count"))
+  expect_true(takes(TRUE, "flag"))
+  for (x in list(factor(3L), structure(3L, class = "odd"), Sys.Date())) {
+    expect_error(takes(x, "count"), class = "rotdyn_error_type")
+  }
+  expect_error(takes(structure(TRUE, class = "odd"), "flag"), class = "rotdyn_error_type")
+})

@@ -96,3 +96,19 @@ test_that("a damaged object of the errors package is refused for what it is", {
     )
   }
 })
+
+test_that("parts of other types are a damaged number", {
+  x <- measured(2, 0.1)
+  fits <- function(x) rotdyn:::check_measured(x, "x", rlang::current_env())
+  expect_identical(fits(x), x)
+  for (column in c("id", "group")) {
+    odd <- x
+    odd$parts[[column]] <- 1
+    expect_error(fits(odd), "damaged", class = "rotdyn_error_type")
+  }
+  for (dof in list(0, NA_real_, "3")) {
+    odd <- x
+    odd$parts$dof <- dof
+    expect_error(fits(odd), "damaged", class = "rotdyn_error_type")
+  }
+})

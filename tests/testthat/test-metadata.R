@@ -133,3 +133,13 @@ test_that("the kind of an assumption is that of its first word, by the order of 
     c("load", "mass", "contact", "size", "resistance", "rigidity")
   )
 })
+
+test_that("a dialect alone, or a file alone, gives statements", {
+  text <- metadata(dialect = "sqlite")
+  expect_type(text, "character")
+  file <- tempfile(fileext = ".sql")
+  on.exit(unlink(file))
+  metadata(file = file)
+  expect_identical(paste(readLines(file, encoding = "UTF-8"), collapse = "\n"),
+                   sub("\n$", "", paste(text, collapse = "\n")))
+})

@@ -274,3 +274,10 @@ test_that("a table without headings is refused, whoever reads it", {
     class = "rotdyn_error_missing"
   )
 })
+
+test_that("the step of a counter is found far from its zero", {
+  counts <- c(0, 1, 1, 2, 3, 5, 6, 7, 9, 10, 11, 12, 14)
+  found <- rotdyn:::find_resolution(1e9 + 1e-3 * counts, rep(1, length(counts)))
+  expect_equal(found, 1e-3, tolerance = 1e-3)
+  expect_identical(rotdyn:::find_resolution(1e9 + 1e-6 * counts, rep(1, 13)), NA_real_)
+})

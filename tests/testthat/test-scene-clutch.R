@@ -65,3 +65,23 @@ test_that("numbers near the end of double precision end in an error of ours or a
     expect_true(inherits(got, c("rot_trajectory", "rotdyn_error")))
   }
 })
+
+test_that("one angle or rate is that of both bodies, two are their own", {
+  scene <- scene_clutch(1, 2, 1, theta0_rad = c(0.1, 0.3), omega0_rad_per_s = c(4, 5))
+  expect_identical(scene$theta0_rad, c(0.1, 0.3))
+  expect_identical(scene$omega0_rad_per_s, c(4, 5))
+  scene <- scene_clutch(1, 2, 1, theta0_rad = 0.1, omega0_rad_per_s = 4)
+  both <- scene_clutch(1, 2, 1, theta0_rad = c(0.1, 0.1), omega0_rad_per_s = c(4, 4))
+  expect_equal(
+    trajectory(scene, 0:2), trajectory(both, 0:2), ignore_attr = TRUE, tolerance = 0
+  )
+  expect_output(print(scene), "theta 0.1, 0.1 rad, omega 4, 4 rad/s")
+  # A drive where a body has resistance.
+  dragged <- scene_clutch(1, 2, 1, resistance = list(resistance(0.1), NULL),
+                          theta0_rad = c(0.1, 0.3), omega0_rad_per_s = 4)
+  expect_s3_class(dragged, "rot_scene_drive")
+  expect_identical(dragged$theta0_rad, c(0.1, 0.3))
+  expect_identical(dragged$omega0_rad_per_s, c(4, 4))
+  expect_error(scene_clutch(1, 2, 1, theta0_rad = 1:3), "1 or 2 numbers; it has 3",
+               class = "rotdyn_error_value")
+})

@@ -312,3 +312,16 @@ test_that("equations are drawn as a loop, with the states at the start", {
   alt <- ggplot2::autoplot(scene)$labels$alt
   expect_match(alt, "Equations of x and v.*x at start 0.2 m; v at start 3 m/s; conserved energy")
 })
+
+test_that("the time scales of equations need the sizes of their own states", {
+  stiff <- scene_equations(function(y) -1e3 * y, c(y = 0), positions = character())
+  scales <- function(sizes) {
+    rotdyn:::equations_time_scales(
+      scene_equations(function(x, v) c(v, -4 * x - x^3), c(x = 0, v = 0)), sizes, NULL
+    )
+  }
+  expect_equal(scales(c(x = 1, v = 2))$swing_rad_per_s, 2, tolerance = 1e-6)
+  # A step of 1e-5 of the size of x, of which the cube is no part.
+  expect_equal(scales(c(x = 1e3, v = 2e3))$swing_rad_per_s, sqrt(4 + 1e-4), tolerance = 1e-9)
+  expect_equal(scales(7)$swing_rad_per_s, 2, tolerance = 1e-9)
+})

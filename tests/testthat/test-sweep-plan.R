@@ -232,3 +232,11 @@ test_that("a function with free variables is refused before it is called", {
                                build = function(row) scene_axle(row$m, 0.2)))
   expect_identical(some$status, c("value", "value", "ok", "ok"))
 })
+
+test_that("blocks are small where rows are integrated", {
+  design <- design_grid(omega0_rad_per_s = vary_values(1:4))
+  hoop <- scene_hoop(1, 1, 5, theta0_rad = 1)
+  expect_identical(sweep_plan(hoop, 1, design)$block_rows, 2^8)
+  wheel <- scene_axle(1, 1)
+  expect_identical(sweep_plan(wheel, 1, design, model = "axle_linear")$block_rows, 2^16)
+})

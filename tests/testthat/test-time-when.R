@@ -141,3 +141,14 @@ test_that("a motion that fades within the least of times", {
   # Then omega is where 1 = 0.1 (1 + w + w^2).
   expect_equal(late, 1 / ((sqrt(37) - 1) / 2), tolerance = 1e-12)
 })
+
+test_that("a passage long after the first swings is found where a torque begins", {
+  late <- scene_axle(
+    1, torque_spring(1) + torque_steps(c(0, 3000), c(0, 5)), theta0_rad = 0.1
+  )
+  found <- time_when(late, theta_rad = 8)$time_s
+  expect_gt(found, 3000)
+  # 5 (1 - cos s) + 0.1 cos(3000 + s) = 8
+  s <- found - 3000
+  expect_equal(5 * (1 - cos(s)) + 0.1 * cos(found), 8, tolerance = 1e-9)
+})

@@ -138,3 +138,15 @@ test_that("a trajectory warns of what was found and stops there", {
   expect_silent(motion <- trajectory(told, 0:100))
   expect_equal(motion$omega_rad_per_s[101], 12.8, tolerance = 1e-9)
 })
+
+test_that("curves that do not meet in the interval are parted in its middle", {
+  # Of parabolas that meet beyond an end.
+  meets <- function(at) {
+    f <- function(t) ifelse(t < 0.5, 0, t - at)
+    t <- c(0, 0.5, 1)
+    rotdyn:::cross_curves(f, t, f(t))
+  }
+  expect_equal(meets(0.6), 0.6, tolerance = 1e-12)
+  expect_identical(meets(1.4), 0.5)
+  expect_identical(meets(-0.4), 0.5)
+})

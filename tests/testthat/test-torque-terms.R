@@ -122,3 +122,10 @@ test_that("rows inside a pulse have the torque given, and after it the impulse",
   expect_equal(before$omega_rad_per_s[2], 6 * 0.3, tolerance = 4e-15)
   expect_equal(before$applied_torque_n_m[1], 6)
 })
+
+test_that("a sum of products has twice the digits", {
+  twice <- function(first, ...) .Call(rotdyn:::ffi_sum_product, first, c(...))
+  expect_identical(twice(1e17, 1, 1), c(1e17, 1))
+  expect_identical(twice(0, 1 + 2^-30, 1 + 2^-30), c(1 + 2^-29, 2^-60))
+  expect_identical(twice(-1, 1 + 2^-30, 1 + 2^-30), c(2^-29 + 2^-60, 0))
+})
