@@ -584,3 +584,14 @@ test_that("faces that are turned over are wound like their neighbours", {
   turned[1:2, 2:3] <- eight[1:2, 3:2]
   expect_identical(edges(rotdyn:::wind_alike(turned)), edges(eight))
 })
+
+test_that("the error of a surface is the same along each axis", {
+  corners <- rbind(c(0, 0, 0), c(1, 0, 0), c(1, 1, 0), c(0, 1, 0)) / 3
+  faces <- rbind(1:3, c(1L, 3L, 4L))
+  error <- function(order) {
+    mesh <- list(vertices = corners[, order], faces = faces)
+    body_mesh(mesh, areal_density_kg_m2 = 2, method = "shell")$error
+  }
+  expect_gt(error(1:3), 0)
+  for (order in list(c(2, 3, 1), c(3, 1, 2))) expect_equal(error(order), error(1:3))
+})

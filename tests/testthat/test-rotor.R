@@ -385,3 +385,16 @@ test_that("the angular momentum of several rotors is the sum of J W a", {
   )
   expect_equal(rotor_momentum(scene), c(-0.6, 0, 2))
 })
+
+test_that("what a body has without its rotors may be little, not less than rounding", {
+  wheeled <- function(left) {
+    scene <- scene_free(c(1, 2, 2.5), omega0_rad_per_s = c(0, 0, 1), rotors = rotor(
+      c(0, 0, 1), 2.5 * (1 - left), omega_rad_per_s = 3, torque = 1e-12
+    ))
+    suppressWarnings(trajectory(scene, 0))
+  }
+  for (left in c(1e-3, 1e-8, 1e-11)) {
+    expect_equal(wheeled(left)$omega_z_rad_per_s, 1, tolerance = 1e-15 / left)
+  }
+  expect_error(wheeled(1e-13), "without them", class = "rotdyn_error_value", ignore.case = TRUE)
+})

@@ -131,3 +131,20 @@ test_that("static friction alone holds a rotor of a drive", {
   expect_true(all(motion(0.39)$theta_rad == 0))
   expect_gt(motion(0.41)$theta_rad[5], 0)
 })
+
+test_that("dry friction that holds a train acts against the torque on every body of it", {
+  for (efficiency in c(1, 0.9)) {
+    held <- trajectory(scene_drive(
+      list(1, 2), coupling_gear(2, efficiency = efficiency), torque = list(0.5, NULL),
+      resistance = list(resistance(coulomb_n_m = 1), resistance(coulomb_n_m = 1))
+    ), 1)
+    expect_identical(held$omega_rad_per_s, c(0, 0))
+    # Each gives the same part of what it could.
+    expect_equal(held$damping_torque_n_m[1], held$damping_torque_n_m[2], tolerance = 1e-12)
+    expect_lt(held$damping_torque_n_m[1], 0)
+    expect_equal(
+      held$applied_torque_n_m[1] + held$damping_torque_n_m[1], held$coupling_torque_n_m[1],
+      tolerance = 1e-12
+    )
+  }
+})

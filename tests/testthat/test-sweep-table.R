@@ -123,3 +123,11 @@ test_that("threads that take whole blocks change no row, no sum and no order", {
   expect_lt(nrow(one), plan$n / 2)
   expect_identical(one$row[one$final_theta_rad <= 22], double())
 })
+
+test_that("the error of a short tumble is its rounding, and not much more", {
+  short <- sweep_run(sweep_plan(
+    scene_free(c(1, 2, 2.5), omega0_rad_per_s = c(1, 0.2, 0.1)), 1e-3,
+    design_list(data.frame("omega0_rad_per_s[1]" = 1:3, check.names = FALSE))
+  ))
+  expect_true(all(short$error > 4 * 2^-52 & short$error < 40 * 2^-52))
+})

@@ -72,3 +72,20 @@ test_that("rows without a motion are NA, bad tables are errors", {
   expect_error(tumbling_table(bodies), class = "rotdyn_error_missing")
   expect_identical(nrow(tumbling_table(bodies[0, ], 1)), 0L)
 })
+
+test_that("rates over the whole range turn alike in their own time", {
+  bodies <- draw_bodies(40)
+  rates <- grep("^omega", names(bodies))
+  turned <- function(power) {
+    faster <- bodies
+    faster[rates] <- bodies[rates] * 2^power
+    tumbling_table(faster, 7 / 2^power)
+  }
+  own <- turned(0)
+  for (power in c(-320, -40, 40, 320)) {
+    far <- turned(power)
+    attitude <- paste0("final_", c("qw", "qx", "qy", "qz"))
+    expect_identical(far[attitude], own[attitude])
+    expect_identical(far$final_omega_y_rad_per_s, own$final_omega_y_rad_per_s * 2^power)
+  }
+})

@@ -155,18 +155,25 @@ static int between(const rot_dd v[], const rot_dd a[], const rot_dd b[], const r
   return ab > 0 ? ax > 0 && bx < 0 : !(bx > 0 && ax < 0);
 }
 
-/* 1 if the paths a, v, b and s, v, t cross at v. */
+/* 1 if the paths a, v, b and s, v, t cross at v, from which the others differ. */
 static int cross_at_corner(const rot_dd a[], const rot_dd v[], const rot_dd b[], const rot_dd s[],
                            const rot_dd t[]) {
-  if (same_place(a, v) || same_place(b, v) || same_place(s, v) || same_place(t, v)) return 0;
   return between(v, a, b, s) + between(v, a, b, t) == 1 && between(v, a, b, s) >= 0 &&
          between(v, a, b, t) >= 0;
 }
 
+/* (edge p, of some length) => where the next such edge ends: a corner may be repeated */
+static const rot_dd *next_end(size_t n, const corner c[], size_t p) {
+  const rot_dd *v = c[(p + 1) % n].x;
+  size_t k = p + 2;
+  while (k < p + n && same_place(c[k % n].x, v)) k++;
+  return c[k % n].x;
+}
+
 /* 1 if edges p and q cross, at least one of which ends on the other. */
 static int cross_where_they_touch(size_t n, const corner c[], size_t p, size_t q) {
-  const rot_dd *a = c[p].x, *v = c[(p + 1) % n].x, *b = c[(p + 2) % n].x;
-  const rot_dd *s = c[q].x, *w = c[(q + 1) % n].x, *t = c[(q + 2) % n].x;
+  const rot_dd *a = c[p].x, *v = c[(p + 1) % n].x, *b = next_end(n, c, p);
+  const rot_dd *s = c[q].x, *w = c[(q + 1) % n].x, *t = next_end(n, c, q);
   if (same_place(v, w)) return cross_at_corner(a, v, b, s, t);
   return goes_through(a, v, b, s, w) || goes_through(s, w, t, a, v);
 }
@@ -195,20 +202,22 @@ static int by_low_end(const void *a, const void *b) {
  * begin before it ends. */
 static rot_status find_crossing(size_t n, const corner c[], edge_box box[], const rot_hooks *hooks,
                                 int *found, size_t edge[2]) {
+  size_t edges = 0;
   *found = 0;
   for (size_t i = 0; i < n; i++) {
     const rot_dd *a = c[i].x, *b = c[(i + 1) % n].x;
-    box[i] = (edge_box){fmin(a[0].hi, b[0].hi), fmax(a[0].hi, b[0].hi), fmin(a[1].hi, b[1].hi),
-                        fmax(a[1].hi, b[1].hi), i};
+    if (same_place(a, b)) continue;
+    box[edges++] = (edge_box){fmin(a[0].hi, b[0].hi), fmax(a[0].hi, b[0].hi),
+                              fmin(a[1].hi, b[1].hi), fmax(a[1].hi, b[1].hi), i};
   }
-  qsort(box, n, sizeof *box, by_low_end);
-  for (size_t i = 0; i < n; i++) {
+  qsort(box, edges, sizeof *box, by_low_end);
+  for (size_t i = 0; i < edges; i++) {
     /* Usually an edge overlaps few others; in a star with long spikes, all of them. */
     if (i % 64 == 63) {
-      const rot_status status = rot_poll(hooks, (double)i / (double)n);
+      const rot_status status = rot_poll(hooks, (double)i / (double)edges);
       if (status != ROT_OK) return status;
     }
-    for (size_t j = i + 1; j < n && box[j].low <= box[i].high; j++) {
+    for (size_t j = i + 1; j < edges && box[j].low <= box[i].high; j++) {
       if (box[j].bottom > box[i].top || box[j].top < box[i].bottom) continue;
       const size_t p = box[i].from, q = box[j].from;
       const rot_dd *a = c[p].x, *b = c[(p + 1) % n].x, *s = c[q].x, *t = c[(q + 1) % n].x;

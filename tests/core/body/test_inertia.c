@@ -332,6 +332,29 @@ static void check_axis_is(const rot_principal *p, int k, double x, double y, dou
   for (int i = 0; i < 3; i++) ROT_CHECK(fabs(p->axes[3 * i + k] - want[i]) <= 4e-16);
 }
 
+/* Of two components of an axis that differ by more than rounding, the larger is positive. */
+static void check_signs(void) {
+  for (int k = 0; k < 2; k++) {
+    const double a = k ? -0.6 : -0.6 * (1.0 + 1e-6), b = k ? 0.6 * (1.0 + 1e-6) : 0.6;
+    const double length = a * a + b * b;
+    /* C = 1 + n n' / 2 with n along (a, b, 0), and 3 along z; the axis across n follows. */
+    const double c[] = {1.0 + 0.5 * a * a / length,
+                        1.0 + 0.5 * b * b / length,
+                        3.0,
+                        0.5 * a * b / length,
+                        0.0,
+                        0.0};
+    rot_principal p;
+    ROT_CHECK_EQ_INT(rot_inertia_principal(c, 1e-12, &p), ROT_OK);
+    for (int axis = 0; axis < 3; axis++) {
+      if (fabs(p.axes[axis]) < 0.5 || fabs(fabs(p.axes[axis]) - fabs(a / sqrt(length))) > 1e-9) {
+        continue;
+      }
+      ROT_CHECK(p.axes[3 * k + axis] > 0.0 && p.axes[3 * (1 - k) + axis] < 0.0);
+    }
+  }
+}
+
 /* Equal moments: coordinate axes where they will do. */
 static void check_equal(void) {
   rot_principal p;
@@ -600,6 +623,7 @@ int main(void) {
   check_axis();
   check_shared_table();
   check_random_axes();
+  check_signs();
   check_equal();
   check_join_by_hand();
   check_join_range();

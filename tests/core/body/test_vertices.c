@@ -225,7 +225,7 @@ static void check_shared(void) {
 static void check_outline(int n, const double corner[][2], int crosses, double area) {
   for (int first = 0; first < n; first++) {
     for (int form = 0; form < 16; form++) {
-      double at[14];
+      double at[18];
       const int turned = form >> 3 & 1;
       for (int i = 0; i < n; i++) {
         const double *from = corner[((form & 1 ? -i : i) + first + n) % n];
@@ -249,6 +249,13 @@ static void check_corner(void) {
   /* Two edges along each other in one direction: a loop inside, and a way through. */
   const double twice[6][2] = {{0, 2}, {0, 0}, {1, 0}, {0.5, 0.5}, {0, 0}, {2, 0}};
   const double through[7][2] = {{0, 2}, {0, 0}, {2, 0}, {2, -1}, {0.5, 0}, {1, 0}, {1.5, 1}};
+  /* A corner that is repeated is the same corner. */
+  const double waist[9][2] = {{-1, -1}, {0, 0}, {0, 0}, {2, 2}, {2, 2},
+                              {2, -2},  {0, 0}, {0, 0}, {-1, 1}};
+  const double pinched[9][2] = {{-1, -1}, {0, 0}, {0, 0}, {1, -1}, {1, -1},
+                                {1, 1},   {0, 0}, {0, 0}, {-1, 1}};
+  check_outline(9, waist, 1, 0.0);
+  check_outline(9, pinched, 0, 2.0);
   check_outline(6, twice, 1, 0.0);
   check_outline(7, through, 1, 0.0);
   check_outline(6, crosses, 1, 0.0);

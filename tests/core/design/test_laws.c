@@ -221,6 +221,12 @@ static void of_scores(void) {
   begin(&l);
   rot_vary_of_scores(&l, 1, &far);
   ROT_CHECK(far < 2.0);
+  /* The places next to both ends. */
+  double ends[] = {-40.0, 40.0};
+  l = law(ROT_VARY_UNIFORM, 0.0, 1.0, 0.0);
+  begin(&l);
+  rot_vary_of_scores(&l, 2, ends);
+  ROT_CHECK(ends[0] == 0x1p-53 && ends[1] == 1.0 - 0x1p-53);
 }
 
 static void refused(void) {

@@ -930,6 +930,14 @@ static const extreme extremes[] = {
      {1e+30, 3e-150, 0.0},
      3.1673764387737867726e+169,
      4978706836786393913.7},
+    /* A blow: the torque is over at once, the damping is not. */
+    {1.0,
+     1e-11,
+     1e+10,
+     ROT_TERM_EXPONENTIAL,
+     {1e+300, 1e+300, 0.0},
+     9516258196.4040427,
+     0.90483741803595957},
 };
 
 static void check_extremes(void) {

@@ -191,6 +191,18 @@ static void test_at_rest(void) {
   ROT_CHECK(got[1] <= 0.0 && got[1] > -1e-300);
 }
 
+/* Where a double does not count the turns, the angle is known to a few units of its rounding. */
+static void test_uncounted(void) {
+  const row r = {2.0, 3.0, 0.0, 0.0, 0.75, 1e10, 0.0, 0.0, 0.0};
+  for (double t = 1e7; t < 1e12; t *= 10.0) {
+    rot_info info;
+    ROT_CHECK_EQ_INT(run_scene(&r, t, &info), ROT_OK);
+    ROT_CHECK_REL(got[0], 1e10 * t, 1e-9);
+    ROT_CHECK(info.measure[ROT_THETA].error >= 0x1p-53 * got[0]);
+    ROT_CHECK(info.measure[ROT_THETA].error <= 0x1p-47 * got[0]);
+  }
+}
+
 static void test_columns(void) {
   rot_info info;
   const row r = {2.0, 3.0, 0.25, 0.0, 0.75, -1.5, 0.0, 0.0, 0.0};
@@ -221,6 +233,7 @@ int main(void) {
   test_metamorphic();
   test_period();
   test_at_rest();
+  test_uncounted();
   test_columns();
   test_refusals();
   return rot_test_report("axle_pendulum");

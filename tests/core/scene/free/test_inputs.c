@@ -103,6 +103,27 @@ static void check_attitude(void) {
   ROT_CHECK(q[0] == 1.0);
 }
 
+/* A rod in any attitude: its moments are those of a rod, the least of them the sum's remainder. */
+static void check_rods(void) {
+  for (int i = 0; i < 200; i++) {
+    const double a = 0.031 * i, b = 0.4 + 0.017 * i;
+    const double n[] = {cos(a) * sin(b), sin(a) * sin(b), cos(b)};
+    /* second moments n n', inertia 1 - n n': xx yy zz xy xz yz */
+    const double second[] = {n[0] * n[0], n[1] * n[1], n[2] * n[2],
+                             n[0] * n[1], n[0] * n[2], n[1] * n[2]};
+    double inertia[6];
+    for (int k = 0; k < 6; k++) {
+      inertia[k] = k < 3 ? second[(k + 1) % 3] + second[(k + 2) % 3] : -second[k];
+    }
+    rot_free_params p;
+    memset(&p, 0, sizeof p);
+    ROT_CHECK(rot_free_build_moments(inertia, second, &p) == ROT_OK);
+    const double *m = p.moment_kg_m2;
+    ROT_CHECK(m[0] >= 0.0 && m[0] <= 4e-16 && fabs(m[1] - 1.0) <= 1e-15);
+    ROT_CHECK(m[2] <= m[0] + m[1] && m[1] <= m[2] && m[2] - m[1] <= m[0]);
+  }
+}
+
 /* Diagonal in axes turned by 90 degrees about x: y and z change places. */
 static void check_moments(void) {
   const double moments[] = {1.0, 2.0, 3.0}, half = sqrt(0.5);
@@ -200,6 +221,7 @@ int main(void) {
   check_motors();
   check_attitude();
   check_moments();
+  check_rods();
   check_table();
   check_refusals();
   check_breaks();
