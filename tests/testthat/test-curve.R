@@ -360,5 +360,7 @@ test_that("a slope that is small is none that is level", {
   nearly <- curve_function(function(x) -1e-10 * x)
   expect_gt(max(roll_on_curve(nearly, 0, 1, body_sphere(1, 0.01))$v_m_per_s), 0)
   level <- curve_function(function(x) -1e-13 * x)
-  expect_error(roll_on_curve(level, 0, 1, body_sphere(1, 0.01)), "level", class = "rotdyn_error_value")
+  expect_error(
+    roll_on_curve(level, 0, 1, body_sphere(1, 0.01)), "level", class = "rotdyn_error_value"
+  )
 })
