@@ -17,10 +17,24 @@ static double formula_error(double i1, double weight, double cosine, double mome
   return fabs(x / (1.0 + x));
 }
 
-static void release(const rot_precession_input *in, double weight, rot_precession *out) {
+/* Exactly upright a top stays, and falls in no time if it does not sleep; next to it a sleeping top
+ * nutates with the period that is said, as a hanging one does. */
+static void release(const rot_precession_input *in, double weight, double cosine,
+                    rot_precession *out) {
+  const double below_pi = pi * 0x1p-53; /* as far from pi as the double pi is, or nearly */
+  const double sleeps = rot_precession_sleeps(in->axial_kg_m2, in->transverse_kg_m2, in->mass_kg,
+                                              in->lever_arm_m * cosine, in->gravity_m_per_s2);
   rot_top_start start;
   rot_top_motion motion;
-  const double theta = in->angle_deg * (pi / 180.0);
+  double theta = in->angle_deg * (pi / 180.0);
+  if (fabs(cosine) == 1.0) {
+    if (fabs(in->spin_rad_per_s) <= sleeps) {
+      out->nutation_s = INFINITY;
+      out->lowest_deg = in->angle_deg;
+      return;
+    }
+    theta = cosine > 0.0 ? below_pi : pi - below_pi;
+  }
   rot_top_from_euler(0.0, theta, 0.0, 0.0, 0.0, in->spin_rad_per_s, &start);
   if (rot_top_begin(in->transverse_kg_m2, in->axial_kg_m2, weight, &start, 0.0, &motion) !=
       ROT_OK) {
@@ -52,7 +66,7 @@ rot_precession rot_precession_of(const rot_precession_input *in) {
   rot_top_steady(in->transverse_kg_m2, in->axial_kg_m2, weight, cosine, in->spin_rad_per_s,
                  &out.slow_rad_per_s, &out.fast_rad_per_s);
   out.error = formula_error(in->transverse_kg_m2, weight, cosine, momentum);
-  release(in, weight, &out);
+  release(in, weight, cosine, &out);
   return out;
 }
 

@@ -61,11 +61,33 @@ static void test_signs(void) {
  * it swings through the bottom. */
 static void test_ends(void) {
   for (int lever = -1; lever <= 1; lever++) {
-    for (int half = 0; half <= (lever < 0 ? 1 : 2); half++) {
+    for (int half = 0; half <= 2; half++) {
       const rot_precession_input in = {1.0, 0.1 * lever, 0.01, 1e-9, 0.02, 90.0 * half, 10.0};
       const double lowest = rot_precession_of(&in).lowest_deg;
       const double want = half != 1 || lever == 0 ? 90.0 * half : 90.0 + 90.0 * lever;
       ROT_CHECK(fabs(lowest - want) <= 1e-5);
+    }
+  }
+}
+
+/* Next to the vertical z'' - i a z' - g z = 0 with a = I3 omega3/I1, g = G/I1 has the period
+ * 2 pi/sqrt(a^2 - 4 g); below the least spin of sleeping an upright top stays where it is. */
+static void test_vertical(void) {
+  for (int turned = 0; turned < 2; turned++) {
+    for (int hangs = 0; hangs < 2; hangs++) {
+      const double lever = (turned != hangs) ? -0.08 : 0.08;
+      const rot_precession_input in = {0.5, lever, 0.002, 60.0, 0.0042, 180.0 * turned, 9.80665};
+      rot_precession_input slow = in;
+      const rot_precession out = rot_precession_of(&in);
+      const double a = 0.002 * 60.0 / 0.0042, g = 0.5 * 9.80665 * 0.08 / 0.0042;
+      ROT_CHECK_REL(out.nutation_s, 0x1.921fb54442d18p+2 / sqrt(a * a + (hangs ? 4 : -4) * g),
+                    1e-14);
+      ROT_CHECK_REL(out.mean_rad_per_s, out.slow_rad_per_s, 1e-14);
+      ROT_CHECK_EQ_INT(out.lowest_deg == in.angle_deg, 1);
+      slow.spin_rad_per_s = 40.0; /* of 40.6 */
+      const rot_precession falls = rot_precession_of(&slow);
+      ROT_CHECK(hangs ? isfinite(falls.nutation_s) : isinf(falls.nutation_s));
+      ROT_CHECK(falls.lowest_deg == in.angle_deg && (hangs || isnan(falls.mean_rad_per_s)));
     }
   }
 }
@@ -94,6 +116,7 @@ int main(void) {
   test_table();
   test_signs();
   test_ends();
+  test_vertical();
   test_scales();
   return rot_test_report("precession");
 }
