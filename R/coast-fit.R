@@ -357,8 +357,12 @@ run_speeds <- function(run) {
 
 check_turns_at_all <- function(run, call) {
   value <- run$value
-  if (!length(value) || any(value != value[1]) || (run$kind == 1 && value[1] != 0)) {
-    return(invisible())
+  if (!length(value) || any(value != value[1])) return(invisible())
+  if (run$kind == 1 && value[1] != 0) {
+    abort_rotdyn(c(
+      "Run {run$name} does not slow down: all its samples are {format(value[1])} rad/s.",
+      i = "A loss needs a record in which the rate changes by more than a digit."
+    ), "value", call)
   }
   abort_rotdyn(c(
     "Run {run$name} is at rest: all its samples are {format(value[1])}.",

@@ -66,7 +66,14 @@ observed_numbers <- function(x, name, call) {
       "The column {.field {name}} of a record must be numbers.", x = "It is {describe_value(x)}."
     ), "type", call)
   }
-  replace(as.double(x), !is.finite(x), NaN)
+  infinite <- which(is.infinite(x))
+  if (length(infinite)) {
+    abort_rotdyn(c(
+      "The column {.field {name}} of a record must be finite or missing.",
+      x = "Row {infinite[1]} is infinite."
+    ), "value", call)
+  }
+  replace(as.double(x), is.na(x), NaN)
 }
 
 # Of a column of a motion, by the dictionary.

@@ -18,7 +18,7 @@
 #' @param resistance,brake NULL, or a list of two [resistance()]s and [brake()]s, with NULL for
 #'   none.
 #' @param theta0_rad,omega0_rad_per_s Angles and angular velocities of the two bodies at `start_s`:
-#'   two numbers each, or one for both.
+#'   two numbers each.
 #' @param engage_s Time from which the clutch is pressed; -Inf, or any time up to `start_s`, for
 #'   always.
 #' @param start_s Time at which the state above holds. Earlier times are an error: the slip before
@@ -60,13 +60,21 @@ scene_clutch <- function(body_1, body_2, capacity_n_m, ..., static_capacity_n_m 
   check_supplied(c("body_1", "body_2", "capacity_n_m"), call)
   capacity <- check_number(capacity_n_m, "capacity_n_m", "N*m", call, lower = 0)
   static <- check_number(static_capacity_n_m, "static_capacity_n_m", "N*m", call, lower = capacity)
+  # One rate for both would be a clutch that never slips: a slip of the pen, refused likewise above.
+  both_of <- function(x, arg) {
+    if (length(x) == 2L || identical(x, 0)) return(rep_len(x, 2))
+    abort_rotdyn(
+      "{.arg {arg}} must have 2 numbers, one for each body; it has {length(x)}.", "value", call
+    )
+  }
   scene_drive(
     list(body_1, body_2),
     coupling_clutch(
       capacity, static_ratio = if (capacity > 0) static / capacity else 1, from_s = engage_s
     ),
     torque = torque, resistance = resistance, brake = brake,
-    theta0_rad = theta0_rad, omega0_rad_per_s = omega0_rad_per_s, start_s = start_s
+    theta0_rad = both_of(theta0_rad, "theta0_rad"),
+    omega0_rad_per_s = both_of(omega0_rad_per_s, "omega0_rad_per_s"), start_s = start_s
   )
 }
 

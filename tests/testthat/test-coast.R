@@ -540,3 +540,10 @@ test_that("alpha of a motion under a weight is the slope of its omega, whatever 
     }
   }
 })
+
+test_that("a record of one rate does not slow down", {
+  even <- data.frame(time_s = 0:50 / 10, omega_rad_per_s = 5)
+  expect_error(fit_coast_down(even, 0.02), "does not slow down", class = "rotdyn_error_value")
+  even$omega_rad_per_s <- 0
+  expect_error(fit_coast_down(even, 0.02), "is at rest", class = "rotdyn_error_value")
+})

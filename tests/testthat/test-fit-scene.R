@@ -520,3 +520,13 @@ test_that("a record that begins after the scene is a motion from the scene's sta
   fit <- fit_scene(wheel(0.3), film, "resistance$coulomb_n_m", accuracy = 1e-12)
   expect_equal(fit$value, 0.5, tolerance = 1e-8)
 })
+
+test_that("an infinite sample is refused, a missing one is none", {
+  wheel <- scene_axle(0.02, resistance = resistance(1e-3), omega0_rad_per_s = 20)
+  record <- trajectory(wheel, 0:40 / 10)[c("time_s", "omega_rad_per_s")]
+  unknown <- "resistance$viscous_n_m_s"
+  record$omega_rad_per_s[3:5] <- c(NA, NaN, NA)
+  expect_identical(glance(fit_scene(wheel, record, unknown))$samples, 38)
+  record$omega_rad_per_s[4] <- Inf
+  expect_error(fit_scene(wheel, record, unknown), "Row 4 is infinite", class = "rotdyn_error_value")
+})

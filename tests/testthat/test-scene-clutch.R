@@ -66,22 +66,21 @@ test_that("numbers near the end of double precision end in an error of ours or a
   }
 })
 
-test_that("one angle or rate is that of both bodies, two are their own", {
-  scene <- scene_clutch(1, 2, 1, theta0_rad = c(0.1, 0.3), omega0_rad_per_s = c(4, 5))
-  expect_identical(scene$theta0_rad, c(0.1, 0.3))
-  expect_identical(scene$omega0_rad_per_s, c(4, 5))
-  scene <- scene_clutch(1, 2, 1, theta0_rad = 0.1, omega0_rad_per_s = 4)
-  both <- scene_clutch(1, 2, 1, theta0_rad = c(0.1, 0.1), omega0_rad_per_s = c(4, 4))
-  expect_equal(
-    trajectory(scene, 0:2), trajectory(both, 0:2), ignore_attr = TRUE, tolerance = 0
-  )
-  expect_output(print(scene), "theta 0.1, 0.1 rad, omega 4, 4 rad/s")
-  # A drive where a body has resistance.
-  dragged <- scene_clutch(1, 2, 1, resistance = list(resistance(0.1), NULL),
-                          theta0_rad = c(0.1, 0.3), omega0_rad_per_s = 4)
-  expect_s3_class(dragged, "rot_scene_drive")
-  expect_identical(dragged$theta0_rad, c(0.1, 0.3))
-  expect_identical(dragged$omega0_rad_per_s, c(4, 4))
-  expect_error(scene_clutch(1, 2, 1, theta0_rad = 1:3), "1 or 2 numbers; it has 3",
-               class = "rotdyn_error_value")
+test_that("each body has its own angle and rate, whatever the clutch's torques", {
+  for (resistance in list(NULL, list(resistance(0.1), NULL))) {
+    scene <- scene_clutch(1, 2, 1, resistance = resistance, theta0_rad = c(0.1, 0.3),
+                          omega0_rad_per_s = c(4, 5))
+    expect_identical(scene$theta0_rad, c(0.1, 0.3))
+    expect_identical(scene$omega0_rad_per_s, c(4, 5))
+    # At rest at 0 where nothing is said.
+    rest <- trajectory(scene_clutch(1, 2, 1, resistance = resistance), 0)
+    states <- as.data.frame(rest)[grep("^(theta|omega)_", names(rest))]
+    expect_true(all(states == 0) && length(states) >= 2L)
+    for (x in list(1, 1:3, numeric())) {
+      expect_error(scene_clutch(1, 2, 1, resistance = resistance, theta0_rad = x), "2 numbers",
+                   class = "rotdyn_error_value")
+      expect_error(scene_clutch(1, 2, 1, resistance = resistance, omega0_rad_per_s = x),
+                   "2 numbers", class = "rotdyn_error_value")
+    }
+  }
 })

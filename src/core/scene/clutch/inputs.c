@@ -69,6 +69,16 @@ static rot_status steps_of(const rot_given *given, rot_store *store, rot_steps *
   return ROT_OK;
 }
 
+/* input => numbers of the two bodies; absent, or a single 0: both 0. */
+static rot_status both_of(const rot_given given[], size_t input, double x[2], rot_refusal *no) {
+  const rot_given *g = &given[input];
+  if (g->is && g->n != 2 && !(g->n == 1 && g->x[0] == 0.0)) {
+    return rot_refuse(no, input, "must have 2 numbers, one for each body; it has %zu", g->n);
+  }
+  for (size_t i = 0; i < 2; i++) x[i] = g->is ? g->x[g->n == 2 ? i : 0] : 0.0;
+  return ROT_OK;
+}
+
 rot_status rot_clutch_build(const rot_given given[], rot_store *store, void *to, rot_refusal *no) {
   rot_clutch_params *p = to;
   memset(p, 0, sizeof *p);
@@ -77,10 +87,8 @@ rot_status rot_clutch_build(const rot_given given[], rot_store *store, void *to,
   if (torque->is && !(torque->is == ROT_INPUT_LIST && torque->n == 2)) {
     return rot_refuse(no, TORQUE, "must be a list with one item for each of the 2 bodies");
   }
-  rot_status status = rot_input_each(rot_clutch_inputs, given, THETA0, 2, p->theta0_rad, no);
-  if (status == ROT_OK) {
-    status = rot_input_each(rot_clutch_inputs, given, OMEGA0, 2, p->omega0_rad_per_s, no);
-  }
+  rot_status status = both_of(given, THETA0, p->theta0_rad, no);
+  if (status == ROT_OK) status = both_of(given, OMEGA0, p->omega0_rad_per_s, no);
   for (size_t i = 0; i < 2 && status == ROT_OK; i++) {
     static const rot_given nothing = {0};
     status = rot_body_moments(given, BODY_1 + i, &p->inertia_kg_m2[i], no);
