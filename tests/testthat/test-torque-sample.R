@@ -197,3 +197,28 @@ test_that("a body that friction holds throughout has no error", {
   expect_identical(motion$omega_rad_per_s, c(0, 0, 0))
   expect_identical(attr(motion, "run")$info$error, 0)
 })
+
+test_that("an error of the samples grows as the motion does", {
+  scene <- scene_pendulum(body_point(1), 1, theta0_rad = pi - 1e-3)
+  time_s <- c(0, 3)
+  run <- function(theta_rad, omega_rad_per_s) {
+    list(
+      info = list(kind = "none", error = 1e-9, errors = c(theta = 0, omega = 0),
+                  sizes = c(theta = 1, omega = 1)),
+      columns = list(theta_rad = c(0, theta_rad), omega_rad_per_s = c(0, omega_rad_per_s))
+    )
+  }
+  # By a constant torque of 1 N m the motion changes by `growth`.
+  widened <- function(growth) {
+    rotdyn:::add_sampling(
+      run(1, 1), list(error = 1e-6, impulse = Inf), scene, time_s,
+      function(push_n_m) run(1 + growth * push_n_m, 1 + 2 * growth * push_n_m), 1e-9
+    )$info$errors
+  }
+  # 1e-6 N m make 1e-6 of that; a motion that grows less counts as one without growth.
+  expect_equal(widened(1e4), widened(1e3) * 10, tolerance = 1e-6)
+  ratio <- widened(1e4)[c("theta", "omega")] / c(1e-2, 2e-2)
+  expect_true(all(ratio >= 1 & ratio < 10))
+  expect_lt(widened(0)[["theta"]], 1e-5)
+  expect_gt(widened(0)[["theta"]], 1e-6)
+})
