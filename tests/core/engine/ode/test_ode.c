@@ -130,12 +130,14 @@ static void run(const rot_ode_params *p, size_t n, const double time_s[], const 
 /* Order 8: the error against the steps that were taken, over three decades of accuracy; 9 where the
  * leading term happens to cancel. */
 static void check_order(void) {
-  double steps[2], error[2];
+  enum { ROWS = 40 };
+  double steps[2], error[2], t[ROWS];
+  for (int i = 0; i < ROWS; i++) t[i] = i + 1.0;
   for (int k = 0; k < 2; k++) {
     probe seen_by = quiet(1.0);
-    const double start[] = {1.0, 0.0}, t = 40.0;
+    const double start[] = {1.0, 0.0};
     const rot_ode_params p = problem(2, pendulum, &seen_by, start, k == 0 ? 1e-9 : 1e-12);
-    run(&p, 1, &t, NULL);
+    run(&p, ROWS, t, NULL);
     ROT_CHECK_EQ_INT(result.status, ROT_OK);
     steps[k] = (double)result.info.steps;
     error[k] = result.error[0];
@@ -170,11 +172,12 @@ static void check_estimate(void) {
       ROT_CHECK(result.error[0] <= accuracy * result.largest[0]);
       lowest = fmin(lowest, result.error[0] / error);
       highest = fmax(highest, result.error[0] / error);
+      ROT_CHECK_EQ_INT(result.info.rhs_calls, seen_by.calls);
+      if (accuracy > 3e-6) continue; /* more runs, perhaps: long steps need a wide margin */
       /* Steps in three parts where the accuracy asks for small ones, else in halves. */
       const int parts = accuracy < 3e-7 ? 3 : 2;
       const double factor = parts == 3 ? 256.0 * 8.0 / 6561.0 : 10.0 / 32.0;
       ROT_CHECK_REL(result.info.tolerance, factor * accuracy, 1e-12);
-      ROT_CHECK_EQ_INT(result.info.rhs_calls, seen_by.calls);
       /* Both runs: each one slope, then 13 calls a trial; one or two more for a row. */
       const long trials = (long)result.info.steps * (parts + 1) / parts;
       ROT_CHECK(seen_by.calls >= 2 + 13 * trials && seen_by.calls <= 10 + 15 * trials);
@@ -182,6 +185,47 @@ static void check_estimate(void) {
   }
   printf("estimate over true error: %.3f to %.3f\n", lowest, highest);
   ROT_CHECK(lowest >= 1.0 && highest <= 100.0);
+}
+
+/* y'' = -a sin y + b cos(d t) - c y' */
+typedef struct driven {
+  double a, b, c, d;
+} driven;
+
+static rot_status drive(double t, const double y[], double dydt[], void *ctx) {
+  const driven *s = ctx;
+  dydt[0] = y[1];
+  dydt[1] = -s->a * sin(y[0]) + s->b * cos(s->d * t) - s->c * y[1];
+  return ROT_OK;
+}
+
+/* With one row an oscillation may have no difference there, in one of its measures: at accuracies
+ * from 1e-2 to 1e-10 the estimate covers both errors in 95 of 100 scenes. */
+static void check_estimate_of_one_row(void) {
+  enum { SCENES = 100 };
+  for (double accuracy = 1e-2; accuracy > 0.5e-10; accuracy *= 1e-2) {
+    int missed = 0;
+    double worst = 0.0;
+    for (int i = 0; i < SCENES; i++) {
+      /* Additive recurrences of irrational steps: spread evenly, the same everywhere. */
+      const double u = fmod(0.7548776662466927 * i, 1.0), v = fmod(0.5698402909980532 * i, 1.0);
+      driven s = {6.0 + 24.0 * u, 3.0 * v, i % 2 ? 0.2 * u : 0.0, 0.5 + 7.0 * v};
+      const double start[] = {3.0 * u, 2.0 * v - 1.0}, t = 3.0 + 5.0 * fmod(u + v, 1.0);
+      rot_ode_params p = problem(2, drive, NULL, start, 1e-13);
+      p.ctx = &s;
+      run(&p, 1, &t, NULL);
+      const double want[] = {result.y[0], result.y[1]};
+      p.accuracy = accuracy;
+      run(&p, 1, &t, NULL);
+      ROT_CHECK_EQ_INT(result.status, ROT_OK);
+      const double over = fmax(fabs(result.y[0] - want[0]) / result.error[0],
+                               fabs(result.y[1] - want[1]) / result.error[1]);
+      missed += over > 1.0;
+      worst = fmax(worst, over);
+    }
+    printf("one row, %.0e: %d of %d missed, by %.2g at most\n", accuracy, missed, SCENES, worst);
+    ROT_CHECK(missed <= SCENES / 20 && worst <= 10.0);
+  }
 }
 
 /* Dense rows: landed on or filled in, the estimate must not fall silent, nor cry. Forward, then
@@ -227,15 +271,15 @@ static void check_estimate_of_roundings(void) {
 static void check_cost(void) {
   size_t steps[2];
   for (int k = 0; k < 2; k++) {
-    const double t = 40.0, start[] = {1.0, 0.0}, accuracy[] = {1e-3, 1e-11};
+    const double t = 40.0, start[] = {1.0, 0.0}, accuracy[] = {1e-8, 1e-12};
     probe seen_by = quiet(2.0);
     const rot_ode_params p = problem(2, oscillator, &seen_by, start, accuracy[k]);
     run(&p, 1, &t, NULL);
     steps[k] = result.info.steps;
     ROT_CHECK(result.info.rejected <= result.info.steps / 4);
   }
-  ROT_CHECK(steps[1] > 6 * steps[0] && steps[1] < 14 * steps[0]); /* 10 */
-  ROT_CHECK(steps[0] < 80);
+  ROT_CHECK(5 * steps[1] > 14 * steps[0] && 2 * steps[1] < 7 * steps[0]); /* 3.16 */
+  ROT_CHECK(steps[0] < 210);
 }
 
 /* Errors that the motion itself blows up by 1e5: the run is made again until they are met. */
@@ -764,6 +808,7 @@ int main(void) {
   check_random();
   check_order();
   check_estimate();
+  check_estimate_of_one_row();
   check_estimate_of_dense_rows();
   check_estimate_of_roundings();
   check_cost();
