@@ -4,11 +4,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "engine/ode/stepping.h"
+#include "engine/ode/difference.h"
 #include "engine/ode/norm.h"
 #include "ground/real.h"
 
 #define PI 3.14159265358979323846
+
+/* In front of a row, where the two runs are compared, too: half a swing of rot_fixed_step_s(). */
+enum { PLACES = 32 };
 
 static int order_of(rot_method method) { return method == ROT_METHOD_RK4 ? 4 : 1; }
 
@@ -17,13 +20,15 @@ double rot_ode_fixed_factor(int order) {
   return powers / (powers - 1.0) * 0.75 / (0.75 - 0.125 / (powers - 1.0));
 }
 
-/* The errors of the rows by those of half the step. */
+/* The errors of the rows by those of half the step; `apart`: how far the two runs are from each
+ * other at the steps in front of a row. */
 static void note_errors(const rot_ode_params *p, const rot_ode_output *out, const double half[],
-                        size_t rows, size_t half_rows, size_t half_steps, double change[]) {
+                        size_t rows, size_t half_rows, size_t half_steps, const double apart[],
+                        double change[]) {
   const double factor = rot_ode_fixed_factor(order_of(p->method));
   const double rounding = 4.0 * ROT_EPS * sqrt(1.0 + (double)half_steps);
   for (size_t m = 0; m < rot_ode_measures(p); m++) {
-    double max = half_rows < rows ? INFINITY : 0.0;
+    double max = half_rows < rows ? INFINITY : apart[m];
     for (size_t i = 0; i < rows && i < half_rows; i++) {
       const double *x = out->y + i * p->dim, *y = half + i * p->dim;
       for (size_t k = 0; k < p->dim; k++) change[k] = y[k] - x[k];
@@ -39,8 +44,8 @@ rot_status rot_ode_run_fixed(const rot_ode_params *p, const rot_ode_output *out,
   const size_t dim = p->dim;
   rot_ode_surfaces *surfaces = calloc(1, sizeof *surfaces);
   double *half = malloc((out->n ? out->n : 1) * dim * sizeof *half);
-  double *scratch = calloc(5 * dim, sizeof *scratch);
-  rot_ode_trace traces[2] = {{.count = 0}};
+  double *scratch = calloc(6 * dim, sizeof *scratch);
+  rot_ode_trace traces[2][2] = {{{.count = 0}}}; /* with half the step, and with it */
   info->status = surfaces && half && scratch ? ROT_OK : ROT_ENOMEM;
   if (info->status == ROT_OK) {
     const int first_mode = p->mode ? *p->mode : 0;
@@ -51,7 +56,7 @@ rot_status rot_ode_run_fixed(const rot_ode_params *p, const rot_ode_output *out,
                        .step_s = 0.5 * p->step_s,
                        .budget = p->max_steps > max / 4 ? max : 2 * p->max_steps + 64,
                        .parts = 1,
-                       .trace = traces,
+                       .trace = traces[0],
                        .surfaces = surfaces,
                        .largest = scratch + dim,
                        .first_mode = first_mode};
@@ -65,18 +70,27 @@ rot_status rot_ode_run_fixed(const rot_ode_params *p, const rot_ode_output *out,
     if (second != ROT_EUNWIND && second != ROT_ENOMEM) {
       for (size_t i = 0; out->slope && i < out->n; i++) out->slope[i] = NAN;
       job.rows = *out;
+      job.trace = traces[1];
       job.step_s = p->step_s;
       job.budget = p->max_steps;
       job.largest = out->largest;
       if (p->mode) *p->mode = first_mode;
       rot_ode_run_once(&job, hooks, info);
-      note_errors(p, out, half, info->rows_done, half_rows, half_steps, scratch);
+      double *apart = scratch + 5 * dim;
+      for (int forward = 0; forward < 2; forward++) {
+        const size_t first = forward ? job.rows.before : 0;
+        const size_t end = forward ? info->rows_done : job.rows.before;
+        const size_t n = end < info->rows_done ? end : info->rows_done;
+        rot_ode_differences(&traces[1][forward], &traces[0][forward], &job, forward, first,
+                            n > first ? n - first : 0, PLACES, 0.0, scratch, apart);
+      }
+      note_errors(p, out, half, info->rows_done, half_rows, half_steps, apart, scratch);
     }
     info->step_s = p->step_s;
   }
   const rot_status sorted = p->log ? rot_events_sort(p->log) : ROT_OK;
   if (sorted != ROT_OK) info->status = sorted;
-  for (int k = 0; k < 2; k++) free(traces[k].data);
+  for (int k = 0; k < 4; k++) free(traces[k / 2][k % 2].data);
   free(scratch);
   free(half);
   free(surfaces);

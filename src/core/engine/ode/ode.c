@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "engine/ode/collocate.h"
+#include "engine/ode/difference.h"
 #include "engine/ode/fixed.h"
 #include "engine/ode/stepping.h"
 #include "engine/ode/norm.h"
@@ -15,65 +16,6 @@
 #define MAX_TOLERANCE 3e-3
 
 /* ---- the error estimate ---------------------------------------------------------------------- */
-
-static void note_difference(const rot_ode_params *p, const double a[], const double b[],
-                            double change[], double difference[]) {
-  for (size_t i = 0; i < p->dim; i++) change[i] = b[i] - a[i];
-  for (size_t m = 0; m < rot_ode_measures(p); m++) {
-    const double now = rot_ode_difference(rot_ode_group_of(p, m), a, change);
-    if (!(now <= difference[m])) difference[m] = now;
-  }
-}
-
-/* At one place the difference of an oscillation may be next to 0 in one of its measures. */
-enum { PLACES = 4 };
-
-/* Largest difference of each measure between two runs, where both have a step's end: at that on or
- * behind a row, and at PLACES in front of it. */
-static void differences(const rot_ode_trace *coarse, const rot_ode_trace *fine,
-                        const rot_ode_job *job, int forward, size_t first, size_t rows,
-                        double correction, double change[], double difference[]) {
-  const rot_ode_params *p = job->p;
-  const double direction = forward ? 1.0 : -1.0;
-  size_t f = 0, row = 0;
-  const double *last[2] = {NULL, NULL}; /* the pair before */
-  const double *unseen[PLACES][2];      /* pairs before whose difference is not noted */
-  double last_s = 0.0;
-  size_t pairs = 0;
-  for (size_t c = 0; c < coarse->count && row < rows; c++) {
-    const double *a = rot_ode_node(coarse, c);
-    while (f < fine->count && direction * (rot_ode_node(fine, f)[0] - a[0]) < 0.0) f++;
-    if (f == fine->count) break;
-    const double *b = rot_ode_node(fine, f);
-    if (a[0] != b[0]) continue;
-    int seen = 0;
-    while (row < rows) {
-      const size_t at = forward ? first + row : first + rows - 1 - row;
-      const double t = job->rows.time_s[at];
-      double *y = job->rows.y + at * p->dim;
-      if (direction * (t - a[0]) > 0.0) break;
-      const double weight = last[0] ? (t - last_s) / (a[0] - last_s) : 1.0;
-      for (size_t i = 0; correction > 0.0 && i < p->dim; i++) {
-        const double before = last[0] ? last[1][i] - last[0][i] : 0.0, now = b[2 + i] - a[2 + i];
-        y[i] += correction * (before + weight * (now - before));
-      }
-      if (correction > 0.0 && p->project) p->project(t, y, p->ctx);
-      seen = 1;
-      row++;
-    }
-    last_s = a[0];
-    last[0] = a + 2;
-    last[1] = b + 2;
-    if (seen) {
-      note_difference(p, last[0], last[1], change, difference);
-      for (size_t k = 0; k < pairs && k < PLACES; k++)
-        note_difference(p, unseen[k][0], unseen[k][1], change, difference);
-      pairs = 0;
-    } else {
-      memcpy(unseen[pairs++ % PLACES], last, sizeof last);
-    }
-  }
-}
 
 /* Where a step meets a kink of the right-hand side, halving it gains little, and the two runs may
  * even err alike: their distance missed the error by up to 6 in a tenth of 60 motions on torque
@@ -135,6 +77,9 @@ static int corrections(const rot_ode_job *fine) {
   return fine->method == ROT_METHOD_RK8PD && !p->turn && (p->n_events == 0 || !p->mode);
 }
 
+/* In front of a row, where the two runs are compared, too: half a swing or so. */
+enum { PLACES = 4 };
+
 /* error[], and of the groups the largest error relative to the size; *steps: what of it finer steps
  * would lessen; *lost: see above. */
 static double estimate(const rot_ode_job *coarse, const rot_ode_job *fine, const rot_info *info,
@@ -154,8 +99,8 @@ static double estimate(const rot_ode_job *coarse, const rot_ode_job *fine, const
     const size_t first = forward ? fine->rows.before : 0;
     const size_t before = fine->rows.before < info->rows_done ? fine->rows.before : info->rows_done;
     const size_t rows = forward ? info->rows_done - before : before;
-    differences(&coarse->trace[forward], &fine->trace[forward], fine, forward, first, rows,
-                correction, change, error);
+    rot_ode_differences(&coarse->trace[forward], &fine->trace[forward], fine, forward, first, rows,
+                        PLACES, correction, change, error);
   }
   *lost = 0;
   for (size_t m = 0; m < rot_ode_steering(p); m++) {
