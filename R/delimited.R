@@ -97,8 +97,8 @@ cell_numbers <- function(cells, decimal) {
   out
 }
 
-# The separator and decimal mark with which most lines are rows of as many numbers, `least` or more.
-find_dialect <- function(lines, least = 2L) {
+# The separator and decimal mark with which most lines are rows of as many numbers.
+find_dialect <- function(lines, min_cells = 2L) {
   if (length(lines) > 400L) lines <- lines[unique(round(seq(1, length(lines), length.out = 400L)))]
   best <- list(score = 0)
   for (separator in c(",", ";", "\t", " ")) {
@@ -110,7 +110,7 @@ find_dialect <- function(lines, least = 2L) {
       row <- rep(seq_along(cells), size)
       number <- is_number_cell(flat, decimal)
       fine <- number | flat %in% missing_cells
-      whole <- size >= least & tabulate(row[!fine], length(cells)) == 0L &
+      whole <- size >= min_cells & tabulate(row[!fine], length(cells)) == 0L &
         tabulate(row[number], length(cells)) > 0L
       if (!any(whole)) next
       counts <- table(size[whole])

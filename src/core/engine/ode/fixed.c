@@ -20,15 +20,15 @@ double rot_ode_fixed_factor(int order) {
   return powers / (powers - 1.0) * 0.75 / (0.75 - 0.125 / (powers - 1.0));
 }
 
-/* The errors of the rows by those of half the step; `apart`: how far the two runs are from each
+/* The errors of the rows by those of half the step; `distance`: how far the two runs are from each
  * other at the steps in front of a row. */
 static void note_errors(const rot_ode_params *p, const rot_ode_output *out, const double half[],
-                        size_t rows, size_t half_rows, size_t half_steps, const double apart[],
+                        size_t rows, size_t half_rows, size_t half_steps, const double distance[],
                         double change[]) {
   const double factor = rot_ode_fixed_factor(order_of(p->method));
   const double rounding = 4.0 * ROT_EPS * sqrt(1.0 + (double)half_steps);
   for (size_t m = 0; m < rot_ode_measures(p); m++) {
-    double max = half_rows < rows ? INFINITY : apart[m];
+    double max = half_rows < rows ? INFINITY : distance[m];
     for (size_t i = 0; i < rows && i < half_rows; i++) {
       const double *x = out->y + i * p->dim, *y = half + i * p->dim;
       for (size_t k = 0; k < p->dim; k++) change[k] = y[k] - x[k];
@@ -76,15 +76,15 @@ rot_status rot_ode_run_fixed(const rot_ode_params *p, const rot_ode_output *out,
       job.largest = out->largest;
       if (p->mode) *p->mode = first_mode;
       rot_ode_run_once(&job, hooks, info);
-      double *apart = scratch + 5 * dim;
+      double *distance = scratch + 5 * dim;
       for (int forward = 0; forward < 2; forward++) {
         const size_t first = forward ? job.rows.before : 0;
         const size_t end = forward ? info->rows_done : job.rows.before;
         const size_t n = end < info->rows_done ? end : info->rows_done;
         rot_ode_differences(&traces[1][forward], &traces[0][forward], &job, forward, first,
-                            n > first ? n - first : 0, PLACES, 0.0, scratch, apart);
+                            n > first ? n - first : 0, PLACES, 0.0, scratch, distance);
       }
-      note_errors(p, out, half, info->rows_done, half_rows, half_steps, apart, scratch);
+      note_errors(p, out, half, info->rows_done, half_rows, half_steps, distance, scratch);
     }
     info->step_s = p->step_s;
   }
