@@ -18,7 +18,7 @@ static double formula_error(double i1, double weight, double cosine, double mome
 }
 
 /* Exactly upright a top stays. Beside the vertical one that sleeps nutates with the period said
- * here, as a hanging one does; one that does not sleep falls, the later the nearer it began: Inf. */
+ * here, as a hanging one does; one that does not sleep falls, the later the nearer it began. */
 static void release(const rot_precession_input *in, double weight, double cosine,
                     rot_precession *out) {
   const double below_pi = pi * 0x1p-53; /* as far from pi as the double pi is, or nearly */
