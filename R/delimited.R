@@ -97,6 +97,10 @@ cell_numbers <- function(cells, decimal) {
   out
 }
 
+# Cells of a row of numbers: a number, a time of day, or what says that there is none.
+is_value_cell <- function(cells, decimal) is_number_cell(cells, decimal) | is_stamp(cells)
+is_blank_cell <- function(cells) cells %in% missing_cells | is_lone_date(cells)
+
 # The separator and decimal mark with which most lines are rows of as many numbers.
 find_dialect <- function(lines, min_cells = 2L) {
   if (length(lines) > 400L) lines <- lines[unique(round(seq(1, length(lines), length.out = 400L)))]
@@ -108,8 +112,8 @@ find_dialect <- function(lines, min_cells = 2L) {
       if (decimal == separator) next
       flat <- unlist(cells)
       row <- rep(seq_along(cells), size)
-      number <- is_number_cell(flat, decimal)
-      fine <- number | flat %in% missing_cells
+      number <- is_value_cell(flat, decimal)
+      fine <- number | is_blank_cell(flat)
       whole <- size >= min_cells & tabulate(row[!fine], length(cells)) == 0L &
         tabulate(row[number], length(cells)) > 0L
       if (!any(whole)) next
@@ -134,6 +138,7 @@ read_delimited <- function(text, file, call) {
   lines <- split_lines(text)
   lines <- lines[nzchar(trimws(lines))]
   if (length(lines) < 2L) abort_file("It has fewer than two lines.", file, call)
+  lines <- join_stamps(lines)
   dialect <- find_dialect(lines)
   # A log of one column: what a counter of a known rate writes.
   if (dialect$score < 2) dialect <- find_dialect(lines, 1L)
@@ -145,8 +150,8 @@ read_delimited <- function(text, file, call) {
   # A separator at the end of each line is no column.
   blank_end <- vapply(cells, function(row) length(row) > 0L && !nzchar(row[length(row)]), NA)
   numeric_row <- function(row) {
-    any(is_number_cell(row, dialect$decimal)) &&
-      all(is_number_cell(row, dialect$decimal) | row %in% missing_cells)
+    value <- is_value_cell(row, dialect$decimal)
+    any(value) && all(value | is_blank_cell(row))
   }
   first <- 1L
   while (first <= length(cells) && !(size[first] == dialect$size && numeric_row(cells[[first]]))) {
@@ -190,7 +195,13 @@ read_delimited <- function(text, file, call) {
     )
   }
   matrix <- matrix(unlist(cells[rows[fits]]), ncol = width, byrow = TRUE)
-  columns <- lapply(seq_len(width), function(k) cell_numbers(matrix[, k], dialect$decimal))
+  # A column is of times of day by most of its first cells.
+  few <- matrix[seq_len(min(nrow(matrix), 400L)), , drop = FALSE]
+  clock <- which(colMeans(array(is_stamp(few), dim(few))) > 0.5)
+  columns <- lapply(seq_len(width), function(k) {
+    if (k %in% clock) return(stamp_seconds(matrix[, k]))
+    cell_numbers(matrix[, k], dialect$decimal)
+  })
   odd <- vapply(seq_len(width), function(k) {
     sum(is.na(columns[[k]]) & !matrix[, k] %in% missing_cells)
   }, 0L)
@@ -199,8 +210,9 @@ read_delimited <- function(text, file, call) {
     out[fits] <- x
     out
   })
+  if (length(headings)) headings[clock] <- clock_heading
   list(
-    headings = headings, columns = full, odd = odd, above = lines[seq_len(top)],
+    headings = headings, columns = full, odd = odd, clock = clock, above = lines[seq_len(top)],
     dropped = as_table(
       row = wrong,
       why = rep(paste("another number of cells than", width), length(wrong))
@@ -208,6 +220,9 @@ read_delimited <- function(text, file, call) {
     dialect = dialect
   )
 }
+
+# Of a column of times of day, whatever its name in the file.
+clock_heading <- "Time of day (s)"
 
 # One heading a column from the lines above the numbers: names, short names, units.
 join_headings <- function(head, width) {
@@ -269,6 +284,8 @@ renaming <- "{.fn read_imu} takes other names for its columns: {.arg headings}."
 table_columns <- function(table, heads, file, call) {
   pick <- function(kind) which(heads$kind %in% kind)
   time <- pick("time")
+  # Seconds before times of day.
+  time <- time[order(table$headings[time] == clock_heading)]
   elapsed <- which(heads$name %in% c("seconds_elapsed", "seconds"))
   if (length(elapsed)) time <- elapsed[1]
   if (!length(time)) {
@@ -296,6 +313,9 @@ table_columns <- function(table, heads, file, call) {
       )
     }
     if (!heads$name[time] %in% elapsed) notes <- "times without a unit are in s"
+  }
+  if (table$headings[time] == clock_heading) {
+    notes <- c(notes, "times of day: seconds since the first row")
   }
   # Date stamps have too many digits to be differences.
   first <- columns$time_s$value[!is.na(columns$time_s$value)][1]
@@ -368,6 +388,7 @@ name_columns <- function(table, headings, call) {
       x = "It is {describe_value(headings)}."
     ), "size", call)
   }
+  headings[table$clock] <- clock_heading
   table$headings <- headings
   table
 }

@@ -30,7 +30,8 @@ fit_records <- function(records, scene, observed, call) {
         i = "The motion has {.field {known}}."
       ), "argument", call)
     }
-    time_s <- check_finite(one$time_s, "time_s", "s", call)
+    time_s <- if (is_date_time(one$time_s)) seconds_since_first(one$time_s) else one$time_s
+    time_s <- check_finite(time_s, "time_s", "s", call)
     rows <- seq_along(time_s)
     parts <- if ("segment" %in% names(one)) split(rows, one$segment) else list(rows)
     for (k in seq_along(parts)) {

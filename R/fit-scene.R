@@ -39,7 +39,7 @@
 #' @param records A data frame with `time_s` and columns of the scene's motion (`theta_rad`,
 #'   `omega_x_rad_per_s`, `x_m`, ...; of several rows for each time `theta_rad[2]`), a
 #'   [motion_record()], or a list of them. NA: not measured. Each segment of a record is one of its
-#'   own.
+#'   own. Date-times become seconds since the first.
 #' @param unknown Paths of inputs, see [sweep_inputs()]; with `build` named numbers, where the
 #'   search starts.
 #' @param ... Not used: an unknown argument is an error.

@@ -203,10 +203,8 @@ as_record_column <- function(value, heading, arg, n, call) {
     ))
   }
   unit <- NULL
-  if (inherits(value, c("POSIXct", "POSIXt")) && arg == "time_s") {
-    value <- as.double(as.POSIXct(value))
-    first <- which(is.finite(value))[1]
-    value <- if (is.na(first)) value else value - value[first]
+  if (is_date_time(value) && arg == "time_s") {
+    value <- seconds_since_first(value)
     unit <- "date-time"
   } else if (is.character(value) || is.factor(value)) {
     bad <- which(!is.na(value))[1]
@@ -269,7 +267,7 @@ recognise_columns <- function(data, call) {
     return(columns)
   }
   heads <- heading_table(names(data))
-  numbers <- vapply(data, function(x) is_number(unclass(x)) || inherits(x, "POSIXct"), NA)
+  numbers <- vapply(data, function(x) is_number(unclass(x)) || is_date_time(x), NA)
   pick <- function(kind) which(numbers & heads$kind %in% kind)
   time <- pick("time")
   if (!length(time)) {

@@ -12,6 +12,10 @@
 #' * **IMU** logs: Sensor Logger, NGIMU, xio, and any table with units in its headings; in names
 #'   without a slash, `gyro_z_rad_s` is a rate in rad/s.
 #'
+#' Times of day, with a date or without (`2026-03-01T10:11:12.5Z`, `10:11:12.5`), become seconds since
+#' the first row. Without a date, a time that is half a day before the one above is of the next day.
+#' A column of seconds is read before one of times of day.
+#'
 #' Separators, decimal marks, the encoding and the line of the headings are found. Runs side by side
 #' become segments. Rows with another number of cells than the first are dropped and named, never
 #' shifted; more than a tenth of them is an error. Of an angle and a rate from one instrument, the
@@ -35,7 +39,7 @@
 #' @param run Names or numbers of the runs to read; all by default.
 #' @param headings Names for the columns, where the file has none or none with units:
 #'   `c("time_s", "omega_deg_per_s")`.
-#' @param rate_hz Rows a second, for a log without times.
+#' @param rate_hz Rows a second, for a log without times; times that it has are not used.
 #' @param quantity `"rate"` or `"other"`: what columns `x`, `y`, `z` without units are. By default a
 #'   rate in rad/s if the file's name has `gyro`.
 #' @return A [motion_record()].

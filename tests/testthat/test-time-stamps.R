@@ -1,0 +1,76 @@
+log_file <- function(heading, stamps, separator = ",", values = seq_along(stamps)) {
+  file <- tempfile(fileext = ".csv")
+  writeLines(c(heading, paste(stamps, values, sep = separator)), file)
+  file
+}
+
+test_that("times of day in a log are seconds since its first row", {
+  tenths <- function(...) paste0(..., 0:5)
+  cases <- list(
+    list("timestamp,w (rpm)", tenths("2026-03-01T10:11:12."), ","),
+    list("timestamp;w (rpm)", tenths("2026-03-01 10:11:12,"), ";"),
+    list("Zeit\tw (rpm)", tenths("01.03.2026 10:11:12,"), "\t"),
+    list("time w (rpm)", tenths("2026/3/1 10:11:12."), " "),
+    list("Time,w (rpm)", tenths("3/1/26 1:11:12."), ","),
+    list("Time,w (rpm)", tenths("10:11:12:"), ","),
+    list("Time,w (rpm)", paste(tenths("1:11:12."), "pm"), ","),
+    list("Date,Time,w (rpm)", tenths("2026-03-01,10:11:12."), ",")
+  )
+  for (case in cases) {
+    if (case[[3]] == " ") case[[1]] <- "time omega_rpm"
+    file <- log_file(case[[1]], case[[2]], case[[3]])
+    record <- read_motion(file)
+    expect_equal(record$time_s, 0:5 / 10, tolerance = 1e-12, info = case[[2]][1])
+    expect_equal(record$omega_rad_per_s, 1:6 * pi / 30, info = case[[2]][1])
+    unlink(file)
+  }
+  expect_output(print(record), "times of day: seconds since the first row")
+})
+
+test_that("days, halves of days and offsets from UTC are R's", {
+  at <- as.POSIXct("2024-02-28 22:30:00", tz = "UTC") + c(0, 3599, 5400, 86400 + 1, 2.5 * 86400)
+  since <- as.double(at) - as.double(at[1])
+  expect_equal(stamp_seconds(format(at, "%Y-%m-%dT%H:%M:%S")), since)
+  expect_equal(stamp_seconds(format(at, "%Y-%m-%dT%I:%M:%S%p")), since)
+  zones <- c("UTC", "Asia/Kolkata", "America/St_Johns", "Europe/Berlin", "UTC")
+  far <- vapply(seq_along(at), function(k) format(at[k], "%Y-%m-%dT%H:%M:%S%z", tz = zones[k]), "")
+  expect_equal(stamp_seconds(far), since)
+  expect_equal(stamp_seconds(sub("([0-9]{2})$", ":\\1", far)), since)
+  # Without a date: noon, midnight, the next day.
+  expect_equal(
+    stamp_seconds(c("11:59:59AM", "12:00:00PM", "11:59:59PM", "12:00:00AM", "1:00:00AM")),
+    c(0, 1, 43200, 43201, 46801)
+  )
+  # Microseconds of a date are kept, other cells are missing.
+  stamps <- c("2026-03-01T23:59:59.999999", "5", "2026-03-02T00:00:00.000001", "24-01-01")
+  expect_equal(stamp_seconds(stamps), c(0, NA, 2e-6, NA), tolerance = 1e-9)
+  expect_equal(stamp_seconds(c("a", "1")), c(NA_real_, NA))
+})
+
+test_that("an arrow of a logging program is a separator, a clock of its own comes first", {
+  lines <- sprintf("10:11:12.%d -> %d", 0:5, 6:1)
+  file <- tempfile(fileext = ".log")
+  writeLines(lines, file)
+  expect_error(read_motion(file), "headings", class = "rotdyn_error_file")
+  named <- read_motion(file, headings = c("time_ms", "omega_rad_per_s"))
+  expect_equal(named$time_s, 0:5 / 10)
+  expect_equal(named$omega_rad_per_s, 6:1)
+  counted <- read_motion(file, headings = c("clock", "w (rpm)"), rate_hz = 50)
+  expect_equal(counted$time_s, 0:5 / 50)
+  lines <- sprintf("10:11:12.%d -> %d;%d", 0:5, 0:5, 6:1)
+  writeLines(c("10:11:11.900 -> millis;w (rpm)", lines), file)
+  own <- read_motion(file)
+  expect_equal(own$time_s, 0:5 / 1000)
+  expect_equal(own$omega_rad_per_s, 6:1 * pi / 30)
+  unlink(file)
+})
+
+test_that("date-times of R are times of a record and of a fit", {
+  wheel <- scene_axle(2, resistance = resistance(viscous_n_m_s = 0.1), omega0_rad_per_s = 10)
+  run <- as.data.frame(trajectory(wheel, 0:20 / 2))[c("time_s", "omega_rad_per_s")]
+  dated <- run
+  dated$time_s <- as.POSIXct("2026-03-01 23:59:55", tz = "UTC") + run$time_s
+  found <- fit_scene(wheel, dated, "omega0_rad_per_s")
+  expect_equal(coef(found), coef(fit_scene(wheel, run, "omega0_rad_per_s")))
+  expect_equal(motion_record(dated)$time_s, run$time_s)
+})
