@@ -12,8 +12,8 @@
 #' * **IMU** logs: Sensor Logger, NGIMU, xio, and any table with units in its headings; in names
 #'   without a slash, `gyro_z_rad_s` is a rate in rad/s.
 #'
-#' Times of day, with a date or without (`2026-03-01T10:11:12.5Z`, `10:11:12.5`), become seconds since
-#' the first row. Without a date, a time that is half a day before the one above is of the next day.
+#' Times of day, with or without a date (`2026-03-01T10:11:12.5Z`, `10:11:12.5`), become seconds
+#' since the first row. Without a date, a time half a day before the one above is of the next day.
 #' A column of seconds is read before one of times of day.
 #'
 #' Separators, decimal marks, the encoding and the line of the headings are found. Runs side by side
