@@ -342,7 +342,8 @@ draw_pendulum <- function(scene) {
     d$say("m*g*d", at[1] + 0.4, at[2] - 0.3)
     d$key(quantity("m*g*d", "weight times distance", value_text(term$x[1], "N m"), "weight"))
   } else {
-    d$say("m*g", at[1] - 0.18 * side, at[2] - 0.36)
+    # Inside small angles, outside the arc of large ones.
+    d$say("m*g", at[1] + (if (abs(swing) > 1) 0.18 else -0.18) * side, at[2] - 0.36)
     away <- 0.14 * side
     d$say("d", 0.5 * at[1] + away * cos(swing), 0.5 * at[2] + away * sin(swing))
     weight <- body$mass_kg * scene$gravity_m_per_s2
