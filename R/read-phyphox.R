@@ -9,7 +9,7 @@ read_phyphox <- function(file, ..., axis = "principal", sheet = NULL) {
 phyphox_record <- function(file, bytes, call, axis = "principal", sheet = NULL) {
   if (is_zip(bytes) || is_ole(bytes)) {
     tables <- if (is_ole(bytes) || any(grepl("^xl/", zip_names(file, call)))) {
-      phyphox_sheets(file, call)
+      phyphox_sheets(excel_sheets(file, call))
     } else {
       phyphox_zip(file, call)
     }
@@ -101,22 +101,25 @@ phyphox_pauses <- function(lines) {
   events$time[again]
 }
 
-# Sheets of an Excel export as tables of numbers.
-phyphox_sheets <- function(file, call) {
+# Sheets of an Excel file, as data frames of text by their names; NULL for one that cannot be read.
+excel_sheets <- function(file, call) {
   need_package("readxl", "Reading an Excel file", call)
   broken <- function(e) NULL
-  sheets <- tryCatch(suppressWarnings(readxl::excel_sheets(file)), error = broken)
-  if (!length(sheets)) abort_file("It is a damaged Excel file.", file, call)
-  read <- function(sheet) {
+  names <- tryCatch(suppressWarnings(readxl::excel_sheets(file)), error = broken)
+  if (!length(names)) abort_file("It is a damaged Excel file.", file, call)
+  lapply(stats::setNames(nm = names), function(name) {
     tryCatch(
       suppressMessages(suppressWarnings(
-        readxl::read_excel(file, sheet, col_types = "text", .name_repair = "minimal")
+        readxl::read_excel(file, name, col_types = "text", .name_repair = "minimal")
       )), error = broken
     )
-  }
-  meta <- grepl("^metadata", lower_case(sheets))
-  data <- lapply(sheets[!meta], function(sheet) {
-    cells <- read(sheet)
+  })
+}
+
+# The sheets of an Excel export: those with data as tables of numbers, that of the times as lines.
+phyphox_sheets <- function(sheets) {
+  names <- lower_case(names(sheets))
+  data <- lapply(sheets[!startsWith(names, "metadata")], function(cells) {
     if (!NCOL(cells) || !NROW(cells)) return(list(headings = character()))
     columns <- lapply(cells, function(x) cell_numbers(trimws(ifelse(is.na(x), "", x)), "."))
     list(
@@ -126,12 +129,11 @@ phyphox_sheets <- function(file, call) {
       dropped = NULL
     )
   })
-  names(data) <- sheets[!meta]
-  data <- Filter(function(table) length(table$headings) > 0L, data)
-  time <- sheets[lower_case(sheets) == "metadata time"]
-  lines <- if (length(time)) {
-    cells <- read(time[1])
-    if (NCOL(cells) > 1L) paste(cells[[1]], cells[[2]], sep = ",")
-  }
-  list(data = data, time = lines)
+  time <- sheets[names == "metadata time"]
+  list(
+    data = Filter(function(table) length(table$headings) > 0L, data),
+    time = if (length(time) && NCOL(time[[1]]) > 1L) {
+      paste(time[[1]][[1]], time[[1]][[2]], sep = ",")
+    }
+  )
 }

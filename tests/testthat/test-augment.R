@@ -57,3 +57,13 @@ test_that("what is no object of the package is refused in words of the package",
   error <- tryCatch(augment(NULL), error = identity)
   expect_identical(as.character(conditionCall(error))[1], "augment")
 })
+
+test_that("a motion that cannot be computed again has no work", {
+  ball <- scene_incline(
+    body_sphere(1, 0.1), 20, static_friction = 0.5, resistance = resistance(drag_n_s2_per_m2 = 0.1)
+  )
+  motion <- trajectory(ball, 0:30)
+  run <- attr(motion, "run")
+  attr(motion, "run") <- replace(run, c("ledger", "max_steps"), list(NULL, 1))
+  expect_error(augment(motion), class = "rotdyn_error_range")
+})

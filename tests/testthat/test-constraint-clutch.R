@@ -46,3 +46,17 @@ test_that("two motions are as far apart as the body that differs most", {
   got <- rbind(c(1, -2), c(3, 4))
   expect_identical(rotdyn:::largest_distance(got, rbind(c(1.5, -2), c(3, 1))), c(0.5, 3))
 })
+
+test_that("a clutch whose bodies turn alike conserves the energy", {
+  energy <- function(...) {
+    stated <- conserved(scene_clutch(2, 3, ..., engage_s = 1))
+    stated[stated$quantity == "energy", ]
+  }
+  alike <- energy(12, omega0_rad_per_s = c(5, 5))
+  expect_true(alike$conserved)
+  expect_match(alike$why, "does not slip")
+  expect_true(energy(0, omega0_rad_per_s = c(5, 4))$conserved)
+  slips <- energy(12, omega0_rad_per_s = c(5, 4))
+  expect_false(slips$conserved)
+  expect_match(slips$why, "slips")
+})

@@ -45,3 +45,16 @@ test_that("the drawing holds a box about the point", {
   inside <- function(p) all(abs(p) <= 1.5)
   expect_true(all(vapply(drawing$marks, function(one) inside(one$points), NA)))
 })
+
+test_that("the letter of a rotor stands beyond the tip of its axis", {
+  wheels <- list(rotor(c(0, 0, 1), 0.1, 50), rotor(c(1, 0, 0), 0.1, 20))
+  drawing <- draw_free(scene_free(c(1, 2, 2.6), c(0.05, 6, 0.05), rotors = wheels))
+  axes <- Filter(function(one) one$type == "arrow" && one$style == "spring", drawing$marks)
+  expect_length(axes, 2)
+  for (k in 1:2) {
+    at <- unlist(drawing$labels[drawing$labels$symbol == paste0("W[", k, "]"), c("x", "y")])
+    away <- at - axes[[k]]$points[2, ]
+    expect_equal(sqrt(sum(away^2)), 0.12, tolerance = 1e-6)
+    expect_gt(sum(away * axes[[k]]$points[2, ]), 0)
+  }
+})

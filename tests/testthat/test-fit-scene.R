@@ -530,3 +530,13 @@ test_that("an infinite sample is refused, a missing one is none", {
   record$omega_rad_per_s[4] <- Inf
   expect_error(fit_scene(wheel, record, unknown), "Row 4 is infinite", class = "rotdyn_error_value")
 })
+
+test_that("known noise is that of each observed column", {
+  both <- as.data.frame(trajectory(bowling(0.12, 8), 0:90 / 30))[c("time_s", "x_m", "v_m_per_s")]
+  for (noise in list(c(x_m = 0.01), c(x_m = 0.01, x_m = 0.01))) {
+    expect_error(
+      fit_scene(bowling(0.2, 7), both, "v0_m_per_s", noise = noise), "each of .*v_m_per_s",
+      class = "rotdyn_error_argument"
+    )
+  }
+})

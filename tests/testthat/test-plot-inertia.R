@@ -48,6 +48,9 @@ test_that("principal axes are drawn along their directions", {
   bad <- axes
   bad$x <- "x"
   expect_error(ggplot2::autoplot(bad), class = "rotdyn_error_type")
+  bad <- axes
+  bad$unique <- as.double(bad$unique)
+  expect_error(ggplot2::autoplot(bad), class = "rotdyn_error_type")
   grDevices::pdf(NULL)
   on.exit(grDevices::dev.off())
   for (body in list(turned(), body_disk(1, 1), body_sphere(1, 1), body_rod(1, 1))) {

@@ -27,6 +27,14 @@ test_that("modes draw without a warning, with their frequencies", {
     expect_silent(ggplot2::ggplotGrob(ggplot2::autoplot(many, base_size = size)))
   }
   expect_equal(nlevels(ggplot2::autoplot(many)$data$panel), 6)
+  # Panels side by side fill their rows.
+  columns <- function(modes, size = 13) {
+    length(unique(ggplot2::ggplot_build(
+      ggplot2::autoplot(many, modes = modes, base_size = size)
+    )$layout$layout$COL))
+  }
+  expect_equal(vapply(1:6, function(n) columns(seq_len(n)), 0), c(1, 1, 3, 2, 3, 3))
+  expect_equal(columns(1:3, 18), 2)
   expect_match(levels(ggplot2::autoplot(many, modes = 30)$data$panel), "mode 30")
   expect_error(ggplot2::autoplot(many, modes = 31), class = "rotdyn_error_value")
 })

@@ -65,3 +65,17 @@ test_that("the Excel export is equal to its CSV", {
   want <- utils::read.csv(shared("data", "measured", "phyphox_roller_spinup_z_acc.csv"))
   expect_identical(csv$omega_rad_per_s, want[[4]])
 })
+
+test_that("the pauses of an Excel export are in its sheet of times", {
+  sheets <- list(
+    "Raw Data" = data.frame("Time (s)" = c("0", "0.5", "2"), "Gyroscope z (rad/s)" = c("1", "2", ""),
+      check.names = FALSE),
+    "Metadata Device" = data.frame(property = "version", value = "1.1"),
+    "Metadata Time" = data.frame(event = c("START", "PAUSE", "START"), time = c("0", "0.7", "0.7"))
+  )
+  got <- phyphox_sheets(sheets)
+  expect_named(got$data, "Raw Data")
+  expect_equal(got$data[[1]]$columns, list(c(0, 0.5, 2), c(1, 2, NA)))
+  expect_equal(got$data[[1]]$odd, c(0, 0))
+  expect_equal(phyphox_pauses(got$time), 0.7)
+})

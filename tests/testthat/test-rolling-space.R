@@ -124,3 +124,25 @@ test_that("the time at which a disk lies flat is told, where it does, and only t
   expect_equal(told, flat, tolerance = 1e-3)
   expect_no_warning(roll_disk(body_disk(1, 0.5), c(0, 2), spin_rad_per_s = 6))
 })
+
+test_that("the errors that a rolling disk states cover, and are not far above", {
+  coin <- function(accuracy) {
+    roll_disk(body_disk(0.01, 0.02), seq(0, 5, by = 0.05), 30, lean_deg = 20, yaw_rad_per_s = 5,
+      accuracy = accuracy)
+  }
+  fine <- coin(1e-12)
+  rates <- paste0("omega_space_", c("x", "y", "z"), "_rad_per_s")
+  farthest <- function(x, columns) {
+    max(sqrt(rowSums((as.matrix(x[columns]) - as.matrix(fine[columns]))^2)))
+  }
+  for (accuracy in c(1e-3, 1e-5, 1e-7, 1e-9)) {
+    x <- coin(accuracy)
+    off <- c(
+      2 * farthest(x, c("qw", "qx", "qy", "qz")),
+      farthest(x, rates) / max(sqrt(rowSums(as.matrix(fine[rates])^2))),
+      farthest(x, c("x_m", "y_m", "z_m"))
+    )
+    expect_true(all(off <= attr(x, "error")), info = format(accuracy))
+    expect_true(all(attr(x, "error") < 300 * off), info = format(accuracy))
+  }
+})

@@ -184,3 +184,11 @@ test_that("the balance of a row is of its first time, where the moment of inerti
   }
   expect_true(all(sweep$balanced == 1))
 })
+
+test_that("a time that varies is the last of its row: times of the plan after it are left out", {
+  scene <- scene_axle(2, 3, start_s = 0.25)
+  design <- design_list(data.frame(time_s = c(0.5, 2, 9)))
+  plan <- sweep_plan(scene, c(1, 3, 4), design, outputs = "final_omega_rad_per_s")
+  times <- lapply(c(0.5, 2, 9), function(last) times_of_row(plan, scene, list(time_s = last)))
+  expect_equal(times, list(c(0.25, 0.5), c(0.25, 1, 2), c(0.25, 1, 3, 9)))
+})

@@ -200,6 +200,14 @@ test_that("every export has one place in the reference index", {
   table <- reference_table()
   expect_setequal(table$name, getNamespaceExports("rotdyn"))
   expect_identical(anyDuplicated(table$name), 0L)
+  # In the help of the package: a line for each section, with a link to each function.
+  lines <- strsplit(reference_index(), "\n", fixed = TRUE)[[1]]
+  lines <- lines[startsWith(lines, "\\item{")]
+  expect_identical(length(lines), length(unique(table$section)))
+  links <- regmatches(lines, gregexpr("(?<=\\\\link[{])[^}]+", lines, perl = TRUE))
+  expect_identical(unlist(links), table$name)
+  expect_identical(lengths(links), as.integer(table(factor(table$section, unique(table$section)))))
+  expect_true(all(startsWith(lines, paste0("\\item{", sentence(unique(table$section)), "}{"))))
 })
 
 test_that("columns have their index before the unit", {

@@ -26,6 +26,8 @@ static void test_values(void) {
   const double far[] = {3.0, 1e6}, upright[] = {2.0, 0.0};
   t = term(ROT_TERM_SPRING, 2, far);
   ROT_CHECK_ULP(rot_term_at(&t, 0.0, 1e6, 1e-14, 0.0), -3e-14, 1);
+  t = term(ROT_TERM_GRAVITY, 2, far);
+  ROT_CHECK_ULP(rot_term_at(&t, 0.0, 1e6, 1e-14, 0.0), -3e-14, 1);
   t = term(ROT_TERM_GRAVITY, 2, upright);
   ROT_CHECK_ULP(rot_term_at(&t, 0.0, 3.141592653589793, 1e-20, 0.0), -2.4490935982947064e-16, 2);
 }
