@@ -68,8 +68,9 @@ test_that("the Excel export is equal to its CSV", {
 
 test_that("the pauses of an Excel export are in its sheet of times", {
   sheets <- list(
-    "Raw Data" = data.frame("Time (s)" = c("0", "0.5", "2"), "Gyroscope z (rad/s)" = c("1", "2", ""),
-      check.names = FALSE),
+    "Raw Data" = data.frame(
+      "Time (s)" = c("0", "0.5", "2"), "Gyroscope z (rad/s)" = c("1", "2", ""), check.names = FALSE
+    ),
     "Metadata Device" = data.frame(property = "version", value = "1.1"),
     "Metadata Time" = data.frame(event = c("START", "PAUSE", "START"), time = c("0", "0.7", "0.7"))
   )
