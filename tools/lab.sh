@@ -21,7 +21,9 @@ done
 find src/core web/core -name '*.c' | LC_ALL=C sort |
   grep -vE '^src/core/(fit|sweep|summary|design|measure)/|trust_region|body/density' > "$work/files"
 
-flags="--target=wasm32-wasi -O2 -std=c99 -ffp-contract=off -fvisibility=hidden -DNDEBUG
+# By size: beside -O2, 130 kB less of WebAssembly and a twentieth more time for a run (16 scenes of
+# the page, 801 rows).
+flags="--target=wasm32-wasi -Os -std=c99 -ffp-contract=off -fvisibility=hidden -DNDEBUG
   -ffunction-sections -fdata-sections -Isrc/core -Iinst/include -Iweb/core/few
   -D_WASI_EMULATED_PROCESS_CLOCKS"
 jobs=$(getconf _NPROCESSORS_ONLN 2> /dev/null || echo 1)
@@ -35,7 +37,7 @@ objects=$(sed 's|\.c$|.o|; s|/|-|g' "$work/files" | sed "s|^|$work/|")
 clang --target=wasm32-wasi -mexec-model=reactor -Wl,--gc-sections -Wl,--strip-all -Wl,-O2 \
   -Wl,-z,stack-size=1048576 $objects -lwasi-emulated-process-clocks -o "$work/linked.wasm" ||
   fail "the link"
-wasm-opt -O2 --strip-debug --strip-producers "$work/linked.wasm" -o "$work/lab.wasm" ||
+wasm-opt -Os --strip-debug --strip-producers "$work/linked.wasm" -o "$work/lab.wasm" ||
   fail "wasm-opt"
 if test "$1" = wasm; then
   cp "$work/lab.wasm" "$2" || exit 1
