@@ -268,10 +268,17 @@ record_from_table <- function(table, call, file, source, axis = NULL, notes = ch
   }
   if (length(odd)) notes <- c(notes, paste(sum(table$odd[odd]), "cells are no number: missing"))
   if (!is.null(segment)) record$segment <- list(value = segment, heading = "run", arg = "segment")
-  three <- is.matrix(record$omega_rad_per_s$value)
+  omega <- record$omega_rad_per_s$value
+  if (!is.matrix(omega)) axis <- NULL
+  if (is.matrix(omega) && is.null(axis)) {
+    square <- crossprod(omega[stats::complete.cases(omega), , drop = FALSE])
+    about_one <- part_across(square, principal_rate(square)) <= across_limit
+    axis <- if (about_one) "principal" else "all"
+    if (!about_one) notes <- c(notes, "no fixed axis: the rates about all axes")
+  }
   build_record(
     record, rows, call,
-    axis = if (three) axis %||% "principal" else NULL, source = source, notes = notes,
+    axis = axis, source = source, notes = notes,
     breaks = breaks, dropped = table$dropped, ...
   )
 }

@@ -211,8 +211,10 @@ estimate_data <- function(record, call) {
   }
   if (is.null(theta) && is.null(omega)) {
     abort_rotdyn(c(
-      "{.arg record} has no angle and no angular velocity.",
-      i = "Positions of a mark need a centre: {.code motion_record(centre_m = )}."
+      "{.arg record} has no angle and no angular velocity about one axis.",
+      i = if (any(startsWith(columns, "omega_"))) "{.arg axis} of {.fn motion_record} and
+        {.fn read_motion} takes the rate about one axis: {.val principal}, or one by its name." else
+        "Positions of a mark need a centre: {.code motion_record(centre_m = )}."
     ), "missing", call)
   }
   if (!any(!is.na(omega))) omega <- NULL

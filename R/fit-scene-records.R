@@ -27,7 +27,11 @@ fit_records <- function(records, scene, observed, call) {
         } else {
           "Record {i} has no column of this scene's motion."
         },
-        i = "The motion has {.field {known}}."
+        i = "The motion has {.field {known}}.",
+        i = if ("omega_rad_per_s" %in% names(one) && "omega_x_rad_per_s" %in% known) {
+          "{.code axis = \"all\"} of {.fn motion_record} and {.fn read_motion} keeps the rates about
+           three axes."
+        }
       ), "argument", call)
     }
     time_s <- if (is_date_time(one$time_s)) seconds_since_first(one$time_s) else one$time_s

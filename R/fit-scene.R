@@ -40,8 +40,8 @@
 #'   `omega_x_rad_per_s`, `x_m`, ...; of several rows for each time `theta_rad[2]`), a
 #'   [motion_record()], or a list of them. NA: not measured. Each segment of a record is one of its
 #'   own. Date-times become seconds since the first.
-#' @param unknown Paths of inputs, see [sweep_inputs()]; with `build` named numbers, where the
-#'   search starts.
+#' @param unknown Paths of inputs, see [sweep_inputs()]; a vector (`"omega0_rad_per_s"` of a free
+#'   body) stands for its elements. With `build`, named numbers: where the search starts.
 #' @param ... Not used: an unknown argument is an error.
 #' @param build A function of a list of the unknowns by their names that returns a scene, instead of
 #'   `scene`: for numbers that are in a law or in equations of one's own.
@@ -134,6 +134,7 @@ fit_scene <- function(scene, records, unknown, ..., build = NULL, lower = NULL, 
   }
   scene <- about$scene
   about$known <- with_limits(about, lower, upper, call)
+  if (is.character(per_record)) per_record <- with_elements(per_record, about$unknown)
   about$per_record <- check_among(per_record, "per_record", about$unknown, call)
   about$records <- fit_records(records, scene, observed, call)
   columns <- unique(unlist(lapply(about$records, function(r) names(r$series))))
@@ -203,10 +204,21 @@ with_limits <- function(about, lower, upper, call) {
   known
 }
 
+# A vector stands for its elements: omega0_rad_per_s for omega0_rad_per_s[1] to [3].
+with_elements <- function(names, paths) {
+  vector <- sub("\\[[0-9]+\\]$", "", paths)
+  vector[vector == paths] <- NA
+  unlist(lapply(names, function(name) {
+    own <- paths[vector %in% name]
+    if (name %in% paths || !length(own)) name else own
+  }))
+}
+
 check_unknown <- function(unknown, about, call) {
   if (!is.character(unknown) || !length(unknown) || anyNA(unknown)) {
     abort_rotdyn("{.arg unknown} must be paths of {.fn sweep_inputs}.", "type", call)
   }
+  unknown <- with_elements(unknown, about$known$path)
   if (anyDuplicated(unknown)) {
     abort_rotdyn("{.field {unknown[duplicated(unknown)]}} {?is/are} in {.arg unknown} twice.",
                  "argument", call)

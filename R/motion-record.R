@@ -34,7 +34,8 @@ record_arguments <- list(
 #' **Rates about three axes** need an `axis`: one by name, or `"principal"`, the direction of most
 #' of the mean square rate, with the sign of its largest component positive. The latter is an error
 #' if more than a tenth of the mean square is across that direction: the motion is no rotation about
-#' a fixed axis.
+#' a fixed axis. `"all"` keeps the three rates, as columns for [fit_scene()] with a [scene_free()];
+#' other verbs take the rate about one axis.
 #'
 #' **Times** that go back begin a new segment. Equal times with different values are taken for a
 #' pause and begin a new segment, too. Where they are more than 1 in 50 rows, the clock is coarse:
@@ -55,14 +56,14 @@ record_arguments <- list(
 #' @param ... Not used: an unknown argument is an error.
 #' @param x_m,y_m Position of a mark in m.
 #' @param centre_m Its centre of rotation: two numbers, two names of columns (tracked), or `"fit"`.
-#' @param axis For rates about three axes: `"x"`, `"y"`, `"z"`, the name of a column, or
-#'   `"principal"`.
+#' @param axis For rates about three axes: `"x"`, `"y"`, `"z"`, the name of a column,
+#'   `"principal"`, or `"all"`.
 #' @param counts_per_turn,pulses_per_turn Counts and pulses in a turn.
 #' @param segment A column that numbers the runs of the record, or NULL.
 #' @param floor TRUE where counts are rounded down: half a count is added.
 #' @param source Where the data come from, for the print.
 #' @return A tibble of class `rot_record` with the columns
-#'   `r describe_columns(c("time_s", "theta_rad", "omega_rad_per_s", "pulses", "x_m", "y_m", "segment"), c(time_s = "time of the sample", theta_rad = "angle, unwrapped", omega_rad_per_s = "angular velocity", x_m = "x of the mark", y_m = "y of the mark"))`
+#'   `r describe_columns(c("time_s", "theta_rad", "omega_rad_per_s", "omega_x_rad_per_s", "omega_y_rad_per_s", "omega_z_rad_per_s", "pulses", "x_m", "y_m", "segment"), c(time_s = "time of the sample", theta_rad = "angle, unwrapped", omega_rad_per_s = "angular velocity", x_m = "x of the mark", y_m = "y of the mark"))`
 #'   (those that were measured; a missing value is NA). Its attribute `record` is a list: `source`,
 #'   `columns` (the original headings and units), `resolution` (by column, NA where none was found),
 #'   `dropped` (rows of `data` and why), `breaks` (where segments begin, and why), `assumed`,
@@ -165,7 +166,7 @@ record_argument <- function(quo, arg, data, call) {
   })
   heading <- rlang::as_label(quo)
   if (is.character(value) && !is.object(value) && length(value) <= 3L &&
-    !identical(length(value), nrow(data))) {
+    (length(value) != nrow(data) || all(value %in% names(data)))) {
     if (!is_readable_text(value)) abort_unreadable(value, arg, call)
     unknown <- setdiff(value, names(data))
     if (length(unknown)) {
@@ -334,7 +335,8 @@ build_record <- function(columns, n, call, counts_per_turn = NULL, pulses_per_tu
     ), "argument", call)
   }
   names(columns) <- target
-  measured <- intersect(c("theta_rad", "omega_rad_per_s", "pulses", "x_m", "y_m"), target)
+  if (identical(axis, "all")) columns <- with_all_rates(columns, call)
+  measured <- intersect(record_measured, names(columns))
   if (xor("x_m" %in% measured, "y_m" %in% measured)) {
     abort_rotdyn("A mark needs both {.arg x_m} and {.arg y_m}.", "missing", call)
   }
@@ -430,8 +432,7 @@ build_record <- function(columns, n, call, counts_per_turn = NULL, pulses_per_tu
     centre = centre,
     axis = axis_found
   )
-  order <- c("time_s", "theta_rad", "omega_rad_per_s", "pulses", "x_m", "y_m")
-  out <- out[intersect(order, names(out))]
+  out <- out[intersect(c("time_s", record_measured), names(out))]
   out$segment <- segment
   new_table(out, nrow = length(segment), class = "rot_record", record = info)
 }
@@ -520,7 +521,8 @@ choose_axis <- function(column, axis, call) {
   if (is.null(axis)) {
     abort_rotdyn(c(
       "{.arg axis} is missing: rates about {ncol(omega)} axes were measured.",
-      i = "Give {.val x}, {.val y}, {.val z}, the name of a column, or {.val principal}.",
+      i = "Give {.val x}, {.val y}, {.val z}, the name of a column, {.val principal}, or {.val all}
+           for all of them.",
       x = "Their root mean squares are {format(sqrt(colMeans(omega^2, na.rm = TRUE)), digits = 3)}
            rad/s."
     ), "missing", call)
@@ -530,38 +532,31 @@ choose_axis <- function(column, axis, call) {
       "{.arg axis} must be one piece of text.", x = "It is {describe_value(axis)}."
     ), "type", call)
   }
-  part <- heading_table(headings)$component
-  part[is.na(part)] <- c("x", "y", "z")[seq_along(headings)][is.na(part)]
+  part <- axes_of_headings(headings)
   square <- crossprod(omega[stats::complete.cases(omega), , drop = FALSE])
   total <- sum(diag(square))
   if (axis == "principal") {
-    direction <- if (total > 0) eigen(square, symmetric = TRUE)$vectors[, 1] else {
-      c(1, rep(0, ncol(omega) - 1L))
-    }
-    direction <- direction * sign(direction[which.max(abs(direction))])
+    direction <- principal_rate(square)
   } else {
     at <- match(axis, headings)
     if (is.na(at)) at <- match(lower_case(axis), part)
     if (is.na(at)) {
       abort_rotdyn(c(
-        "{.arg axis} must be one of {.or {.val {c(part, headings, 'principal')}}}.",
+        "{.arg axis} must be one of {.or {.val {c(part, headings, 'principal', 'all')}}}.",
         x = "It is {.val {axis}}."
       ), "value", call)
     }
     direction <- as.double(seq_along(headings) == at)
   }
-  across <- if (total > 0) {
-    max(0, 1 - drop(crossprod(direction, square %*% direction)) / total)
-  } else {
-    0
-  }
-  if (across > 0.1 && axis == "principal") {
+  across <- part_across(square, direction)
+  if (across > across_limit && axis == "principal") {
     abort_rotdyn(c(
       "The motion is no rotation about one axis.",
       x = "{format(100 * across, digits = 2)} % of the mean square rate is across the principal
            axis.",
       i = "Mean squares by column: {format(100 * diag(square) / total, digits = 2)} %.",
-      i = "{.arg axis} takes one of the axes in spite of that: {.or {.val {part}}}."
+      i = "{.arg axis} takes one of the axes in spite of that: {.or {.val {part}}}; {.val all} keeps
+           the rates about all."
     ), "value", call)
   }
   list(
@@ -571,6 +566,53 @@ choose_axis <- function(column, axis, call) {
       across = across
     )
   )
+}
+
+# Of each column the axis that its heading names, else by their order.
+axes_of_headings <- function(headings) {
+  part <- heading_table(headings)$component
+  part[is.na(part)] <- c("x", "y", "z")[seq_along(headings)][is.na(part)]
+  part
+}
+
+# Beyond this part of the mean square the motion is no rotation about a fixed axis.
+across_limit <- 0.1
+
+# From the products of the rates: the direction of most of their mean square, and what part of it is
+# across a direction.
+principal_rate <- function(square) {
+  if (!(sum(diag(square)) > 0)) return(c(1, rep(0, ncol(square) - 1L)))
+  direction <- eigen(square, symmetric = TRUE)$vectors[, 1]
+  direction * sign(direction[which.max(abs(direction))])
+}
+
+part_across <- function(square, direction) {
+  total <- sum(diag(square))
+  if (!(total > 0)) return(0)
+  max(0, 1 - drop(crossprod(direction, square %*% direction)) / total)
+}
+
+# Three rates as columns of their own.
+with_all_rates <- function(columns, call) {
+  omega <- columns$omega_rad_per_s
+  if (!is.matrix(omega$value)) {
+    abort_rotdyn(c(
+      "{.arg axis} is {.val all}, but rates about several axes were not measured.",
+      i = "{.arg omega_rad_per_s} takes the names of three columns."
+    ), "argument", call)
+  }
+  part <- axes_of_headings(omega$heading)
+  if (anyDuplicated(part)) {
+    abort_rotdyn(c(
+      "{.arg omega_rad_per_s} must have one column for each axis.",
+      x = "The columns {.field {omega$heading}} are about {.val {part}}."
+    ), "argument", call)
+  }
+  each <- lapply(order(part), function(k) {
+    replace(omega, c("value", "heading"), list(omega$value[, k], omega$heading[k]))
+  })
+  names(each) <- paste0("omega_", sort(part), "_rad_per_s")
+  c(columns[names(columns) != "omega_rad_per_s"], each)
 }
 
 # ---- angles --------------------------------------------------------------------------------------
@@ -755,7 +797,10 @@ find_resolution <- function(x, segment) {
 
 # ---- the class -----------------------------------------------------------------------------------
 
-record_measured <- c("theta_rad", "omega_rad_per_s", "pulses", "x_m", "y_m")
+record_measured <- c(
+  "theta_rad", "omega_rad_per_s", "omega_x_rad_per_s", "omega_y_rad_per_s", "omega_z_rad_per_s",
+  "pulses", "x_m", "y_m"
+)
 
 reconstruct_record <- function(data, template) {
   kept <- all(c("time_s", "segment") %in% names(data)) && any(record_measured %in% names(data)) &&
@@ -817,7 +862,9 @@ check_record <- function(x, arg, call, needs = c("theta_rad", "omega_rad_per_s",
   if (!any(needs %in% names(x))) {
     abort_rotdyn(c(
       "{.arg {arg}} must have {.or {.field {needs}}}.",
-      x = "It has {.field {setdiff(names(x), 'segment')}}."
+      x = "It has {.field {setdiff(names(x), 'segment')}}.",
+      i = if (any(startsWith(names(x), "omega_"))) "{.arg axis} of {.fn motion_record} and
+        {.fn read_motion} takes the rate about one axis: {.val principal}, or one by its name."
     ), "missing", call)
   }
   for (name in intersect(c("time_s", "segment", record_measured), names(x))) {

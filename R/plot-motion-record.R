@@ -22,7 +22,9 @@ autoplot.rot_record <- function(object, ..., units = NULL, base_size = 13) {
   call <- check_plot(base_size, ...)
   units <- check_plot_units(units, call)
   panels <- c(
-    theta_rad = "angle (rad)", omega_rad_per_s = "angular velocity (rad/s)", pulses = "pulses",
+    theta_rad = "angle (rad)", omega_rad_per_s = "angular velocity (rad/s)",
+    omega_x_rad_per_s = "rate about x (rad/s)", omega_y_rad_per_s = "rate about y (rad/s)",
+    omega_z_rad_per_s = "rate about z (rad/s)", pulses = "pulses",
     x_m = "x (m)", y_m = "y (m)"
   )
   panels <- panels[names(panels) %in% names(object)]

@@ -1,13 +1,13 @@
 #' @rdname read_motion
 #' @export
-read_imu <- function(file, ..., axis = "principal", headings = NULL, rate_hz = NULL,
+read_imu <- function(file, ..., axis = NULL, headings = NULL, rate_hz = NULL,
                      quantity = NULL) {
   call <- check_no_dots(...)
   check_supplied("file", call)
   imu_record(file, read_bytes(file, call), call, axis, headings, rate_hz, quantity)
 }
 
-imu_record <- function(file, bytes, call, axis = "principal", headings = NULL, rate_hz = NULL,
+imu_record <- function(file, bytes, call, axis = NULL, headings = NULL, rate_hz = NULL,
                        quantity = NULL) {
   if (is_zip(bytes) || is_ole(bytes) || is_tar(bytes)) {
     abort_file("It is no table of text.", file, call)

@@ -27,8 +27,9 @@
 #' @param file Path of the file.
 #' @param ... For `read_motion()`: arguments of the reader. Else not used: an unknown argument is an
 #'   error.
-#' @param axis For rates about three axes: `"x"`, `"y"`, `"z"` or `"principal"`, as in
-#'   [motion_record()].
+#' @param axis For rates about three axes: `"x"`, `"y"`, `"z"`, `"principal"` or `"all"`, as in
+#'   [motion_record()]. By default `"principal"`, but `"all"` where the motion is about no fixed
+#'   axis.
 #' @param sheet Name of the table to read, where a zip or an Excel file has several.
 #' @param mark,centre For a project with several marks: name of the mark, and of the mark of the
 #'   centre if that was tracked.

@@ -1,12 +1,12 @@
 #' @rdname read_motion
 #' @export
-read_phyphox <- function(file, ..., axis = "principal", sheet = NULL) {
+read_phyphox <- function(file, ..., axis = NULL, sheet = NULL) {
   call <- check_no_dots(...)
   check_supplied("file", call)
   phyphox_record(file, read_bytes(file, call), call, axis, sheet)
 }
 
-phyphox_record <- function(file, bytes, call, axis = "principal", sheet = NULL) {
+phyphox_record <- function(file, bytes, call, axis = NULL, sheet = NULL) {
   if (is_zip(bytes) || is_ole(bytes)) {
     tables <- if (is_ole(bytes) || any(grepl("^xl/", zip_names(file, call)))) {
       phyphox_sheets(excel_sheets(file, call))

@@ -540,3 +540,29 @@ test_that("known noise is that of each observed column", {
     )
   }
 })
+
+test_that("a vector of inputs stands for its elements, a record of three rates is fitted", {
+  rates <- paste0("omega_", c("x", "y", "z"), "_rad_per_s")
+  tumbling <- trajectory(scene_free(c(1, 2.1, 2.5), c(0.3, 5.2, 0.1)), 0:100 / 50)
+  sheet <- as.data.frame(tumbling)[c("time_s", rates)]
+  names(sheet) <- c("Time (s)", "Gyroscope x (rad/s)", "Gyroscope y (rad/s)", "Gyroscope z (rad/s)")
+  phone <- scene_free(c(1, 2, 2.4), c(0.1, 5, 0.2))
+  record <- motion_record(sheet, axis = "all")
+  fit <- fit_scene(phone, record, c("body[2]", "body[3]", "omega0_rad_per_s"))
+  expect_identical(fit$unknown, c("body[2]", "body[3]", paste0("omega0_rad_per_s[", 1:3, "]")))
+  expect_equal(fit$value, c(2.1, 2.5, 0.3, 5.2, 0.1), tolerance = 1e-6)
+  each <- fit_scene(
+    phone, list(record, record), c("body[2]", "body[3]", "omega0_rad_per_s"),
+    per_record = "omega0_rad_per_s"
+  )
+  expect_length(each$value, 8)
+  expect_error(
+    fit_scene(phone, record, c("omega0_rad_per_s", "omega0_rad_per_s[1]")), "twice",
+    class = "rotdyn_error_argument"
+  )
+  expect_error(fit_scene(phone, record, "omega0"), class = "rotdyn_error_argument")
+  expect_error(
+    fit_scene(phone, motion_record(sheet, axis = "y"), "body[2]"), "axis = \"all\"",
+    class = "rotdyn_error_argument"
+  )
+})

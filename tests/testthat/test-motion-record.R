@@ -281,3 +281,34 @@ test_that("the step of a counter is found far from its zero", {
   expect_equal(found, 1e-3, tolerance = 1e-3)
   expect_identical(rotdyn:::find_resolution(1e9 + 1e-6 * counts, rep(1, 13)), NA_real_)
 })
+
+test_that("the rates about all axes are columns of their own", {
+  rates <- cbind(gz = c(3, 1, 2), gx = c(4, 5, 6), gy = c(7, 9, 8))
+  d <- data.frame(t = 0:2, rates)
+  record <- motion_record(d, time_s = t, omega_deg_per_s = c("gz", "gx", "gy"), axis = "all")
+  expect_s3_class(record, "rot_record")
+  expect_named(record, c(
+    "time_s", "omega_x_rad_per_s", "omega_y_rad_per_s", "omega_z_rad_per_s", "segment"
+  ))
+  expect_equal(record$omega_x_rad_per_s, c(4, 5, 6) * pi / 180)
+  expect_equal(record$omega_z_rad_per_s, c(3, 1, 2) * pi / 180)
+  expect_equal(attr(record, "record")$columns$heading, c("t", "gx", "gy", "gz"))
+  expect_null(attr(record, "record")$axis)
+  expect_output(print(record), "omega_y_rad_per_s from \"gy\"")
+  expect_s3_class(record[1:2, ], "rot_record")
+  # Verbs about one axis say how to get it.
+  expect_error(estimate_motion(record), "principal", class = "rotdyn_error_missing")
+  expect_error(fit_coast_down(record), "principal", class = "rotdyn_error_missing")
+  expect_error(fit_swing(record), "principal", class = "rotdyn_error_missing")
+  expect_error(
+    motion_record(d, time_s = t, omega_rad_per_s = gx, axis = "all"), "several axes",
+    class = "rotdyn_error_argument"
+  )
+  expect_error(
+    motion_record(d, time_s = t, omega_rad_per_s = cbind(gx, gx), axis = "all"),
+    "one column for each axis", class = "rotdyn_error_argument"
+  )
+  skip_if_not_installed("ggplot2")
+  plot <- ggplot2::autoplot(record)
+  expect_identical(levels(plot$data$panel), paste0("rate about ", c("x", "y", "z"), " (rad/s)"))
+})

@@ -80,3 +80,27 @@ test_that("the pauses of an Excel export are in its sheet of times", {
   expect_equal(got$data[[1]]$odd, c(0, 0))
   expect_equal(phyphox_pauses(got$time), 0.7)
 })
+
+test_that("a motion about no fixed axis is read with the rates about all", {
+  file <- tempfile(fileext = ".csv")
+  write <- function(x, y, z) {
+    time <- 0:(length(x) - 1) / 100
+    writeLines(c(
+      "\"Time (s)\",\"Gyroscope x (rad/s)\",\"Gyroscope y (rad/s)\",\"Gyroscope z (rad/s)\"",
+      paste(time, x, y, z, sep = ",")
+    ), file)
+  }
+  angle <- 0:20 / 5
+  write(3 * cos(angle), 3 * sin(angle), 1 + 0 * angle)
+  record <- read_motion(file)
+  expect_equal(record$omega_x_rad_per_s, 3 * cos(angle))
+  expect_equal(record$omega_z_rad_per_s, rep(1, 21))
+  expect_match(attr(record, "record")$assumed, "no fixed axis: the rates about all", all = FALSE)
+  expect_error(read_phyphox(file, axis = "principal"), class = "rotdyn_error_value")
+  expect_named(read_phyphox(file, axis = "y"), c("time_s", "omega_rad_per_s", "segment"))
+  # Nine parts in ten of the mean square about one axis are a rotation about it.
+  write(0.1 * cos(angle), 0.1 * sin(angle), 3 + 0 * angle)
+  expect_equal(attr(read_motion(file), "record")$axis$name, "principal")
+  expect_named(read_motion(file, axis = "all"), names(record))
+  unlink(file)
+})
