@@ -374,14 +374,19 @@ table_columns <- function(table, heads, file, call) {
   } else {
     x <- which(heads$kind %in% "length" & heads$component %in% "x")
     y <- which(heads$kind %in% "length" & heads$component %in% "y")
-    if (length(x) != 1L || length(y) != 1L) {
+    if (length(x) != 1L || length(y) > 1L) {
       abort_file(
         paste("None of its headings says an angle or a rate:", quote_all(table$headings)), file,
         call, paste("A heading has its unit: {.val theta (deg)}, {.val gyro_z_rad_s}.", renaming)
       )
     }
     columns$x_m <- take(x, "x_m")
-    columns$y_m <- take(y, "y_m")
+    if (length(y)) columns$y_m <- take(y, "y_m")
+  }
+  turns <- intersect(c("theta_rad", "omega_rad_per_s"), names(columns))
+  beside <- which(heads$kind %in% "length" & heads$component %in% c("x", "y"))
+  if (length(turns) && length(beside)) {
+    notes <- c(notes, paste("not used beside the rotation:", quote_all(table$headings[beside])))
   }
   list(columns = columns, notes = notes)
 }

@@ -214,7 +214,7 @@ estimate_data <- function(record, call) {
       "{.arg record} has no angle and no angular velocity about one axis.",
       i = if (any(startsWith(columns, "omega_"))) "{.arg axis} of {.fn motion_record} and
         {.fn read_motion} takes the rate about one axis: {.val principal}, or one by its name." else
-        "Positions of a mark need a centre: {.code motion_record(centre_m = )}."
+        "Positions of a mark, x and y, need a centre: {.code motion_record(centre_m = )}."
     ), "missing", call)
   }
   if (!any(!is.na(omega))) omega <- NULL

@@ -30,6 +30,7 @@ record_arguments <- list(
 #' **Positions** of a mark become an angle about a centre:
 #' \deqn{\theta = \mathrm{atan2}(y - y_c, x - x_c)}{theta = atan2(y - yc, x - xc)}
 #' with the centre given, tracked, or fitted as that of a circle (least squares of the distances).
+#' `x_m` alone is a position along a line, for [fit_scene()] with a [scene_incline()].
 #'
 #' **Rates about three axes** need an `axis`: one by name, or `"principal"`, the direction of most
 #' of the mean square rate, with the sign of its largest component positive. The latter is an error
@@ -54,7 +55,7 @@ record_arguments <- list(
 #' @param pulses The running number of pulses at these times: a column, or one number, the pulses a
 #'   turn, where each row is a pulse.
 #' @param ... Not used: an unknown argument is an error.
-#' @param x_m,y_m Position of a mark in m.
+#' @param x_m,y_m Position of a mark in m; `x_m` alone along a line.
 #' @param centre_m Its centre of rotation: two numbers, two names of columns (tracked), or `"fit"`.
 #' @param axis For rates about three axes: `"x"`, `"y"`, `"z"`, the name of a column,
 #'   `"principal"`, or `"all"`.
@@ -302,9 +303,9 @@ recognise_columns <- function(data, call) {
   if (!length(angle) && !length(rate)) {
     x <- which(numbers & heads$kind %in% "length" & heads$component %in% "x")
     y <- which(numbers & heads$kind %in% "length" & heads$component %in% "y")
-    if (length(x) == 1L && length(y) == 1L) {
+    if (length(x) == 1L && length(y) < 2L) {
       columns$x_m <- take(x, "x_m")
-      columns$y_m <- take(y, "y_m")
+      if (length(y)) columns$y_m <- take(y, "y_m")
     }
   }
   columns
@@ -337,8 +338,11 @@ build_record <- function(columns, n, call, counts_per_turn = NULL, pulses_per_tu
   names(columns) <- target
   if (identical(axis, "all")) columns <- with_all_rates(columns, call)
   measured <- intersect(record_measured, names(columns))
-  if (xor("x_m" %in% measured, "y_m" %in% measured)) {
-    abort_rotdyn("A mark needs both {.arg x_m} and {.arg y_m}.", "missing", call)
+  if ("y_m" %in% measured && !"x_m" %in% measured) {
+    abort_rotdyn(c(
+      "A mark needs both {.arg x_m} and {.arg y_m}.",
+      i = "A position along a line is {.arg x_m}."
+    ), "missing", call)
   }
   if (!length(measured)) {
     abort_rotdyn(c(

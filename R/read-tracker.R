@@ -204,9 +204,9 @@ tracker_text <- function(file, bytes, call, mark, centre_m, frame_rate_hz, angle
   } else {
     notes <- "times are those of the file; of a slow-motion video they may be the playback's"
   }
-  if (length(x) && length(y)) {
+  if (length(x) && (length(y) || !length(angle))) {
     columns$x_m <- column(x, "x_m", 1, "m")
-    columns$y_m <- column(y, "y_m", 1, "m")
+    if (length(y)) columns$y_m <- column(y, "y_m", 1, "m")
     notes <- c(notes, "positions are in m")
   } else if (length(angle)) {
     said <- parse_heading(table$headings[angle])$unit
@@ -222,7 +222,7 @@ tracker_text <- function(file, bytes, call, mark, centre_m, frame_rate_hz, angle
     factor <- if (is.null(angle_unit)) said$factor else c(deg = pi / 180, rad = 1)[[angle_unit]]
     columns$theta_rad <- column(angle, "theta_rad", factor, angle_unit %||% said$text)
   } else {
-    abort_file("It has neither x and y nor an angle.", file, call)
+    abort_file("It has neither positions nor an angle.", file, call)
   }
   build_record(
     columns, length(table$columns[[1]]), call, source = paste0(basename(file), " (Tracker)"),

@@ -175,7 +175,7 @@ test_that("marks: centre fitted, given, tracked; a line is refused", {
       motion_record(d, time_s = t, x_m = t, y_m = bent), "on a line", class = "rotdyn_error_value"
     )
   }
-  expect_error(motion_record(d, time_s = t, x_m = x), class = "rotdyn_error_missing")
+  expect_error(motion_record(d, time_s = t, y_m = x), class = "rotdyn_error_missing")
   # With noise the fit's own standard errors hold: 200 fits, the centre within 1.96 of them.
   set.seed(5)
   inside <- replicate(200, {
@@ -311,4 +311,33 @@ test_that("the rates about all axes are columns of their own", {
   skip_if_not_installed("ggplot2")
   plot <- ggplot2::autoplot(record)
   expect_identical(levels(plot$data$panel), paste0("rate about ", c("x", "y", "z"), " (rad/s)"))
+})
+
+test_that("positions along a line are a record for a fit", {
+  lane <- scene_incline(body_sphere(6, 0.108), 0, static_friction = 0.12, v0_m_per_s = 8,
+    omega0_rad_per_s = 0)
+  film <- as.data.frame(trajectory(lane, 0:40 / 20))[c("time_s", "x_m", "theta_rad")]
+  sheet <- data.frame("t (s)" = film$time_s, "x (cm)" = 100 * film$x_m, check.names = FALSE)
+  record <- motion_record(sheet)
+  expect_named(record, c("time_s", "x_m", "segment"))
+  expect_equal(record$x_m, film$x_m)
+  file <- tempfile(fileext = ".csv")
+  utils::write.csv(sheet, file, row.names = FALSE)
+  expect_equal(read_motion(file)$x_m, film$x_m)
+  # Tracker's export of one coordinate.
+  writeLines(c("ball", "t,x", paste(film$time_s, film$x_m, sep = ",")), file)
+  expect_equal(read_tracker(file)$x_m, film$x_m)
+  fit <- fit_scene(lane, record, c("static_friction", "v0_m_per_s"))
+  expect_equal(fit$value, c(0.12, 8), tolerance = 1e-6)
+  expect_error(estimate_motion(record), "centre", class = "rotdyn_error_missing")
+  expect_error(
+    motion_record(film, time_s = time_s, y_m = x_m), "along a line", class = "rotdyn_error_missing"
+  )
+  # Beside an angle it is named as not read.
+  sheet[["theta (rad)"]] <- film$theta_rad
+  utils::write.csv(sheet, file, row.names = FALSE)
+  both <- read_motion(file)
+  expect_named(both, c("time_s", "theta_rad", "segment"))
+  expect_match(attr(both, "record")$assumed, "not used beside the rotation: \"x", all = FALSE)
+  unlink(file)
 })
