@@ -553,22 +553,33 @@ fixed <- if (Sys.getenv("MUTANTS_FIXED", "yes") == "no") list() else
 fixed <- Filter(function(listed) grepl(pattern, listed$file), fixed)
 
 # Draws: each file once in a random order, then again; the kind of change among those that the file
-# has places for, then the place. A few further candidates where a change turns out to be none.
-suppressWarnings(RNGversion("4.0.0"))
-set.seed(seed)
+# has places for, then the place. A few further candidates where a change turns out to be none. The
+# order is that of hashes of what is drawn, so that a change of the sources leaves the draws from
+# other places as they are.
+first_by_hash <- function(n, key) order(vapply(seq_len(n), key, ""), method = "radix")[1L]
 draws <- list()
+pass <- 0L
 while (length(draws) < number && length(files)) {
-  for (file in sample(files)) {
+  pass <- pass + 1L
+  for (file in files[order(vapply(files, function(f) rlang::hash(list(seed, pass, f)), ""),
+                            method = "radix")]) {
     places <- places_of(file.path(sources, file))
     if (!length(places$edits)) next
     kinds <- vapply(places$edits, `[[`, "", "kind")
-    one <- function() {
-      kind <- sample(rep(unique(kinds), 2L), 1L)
-      among <- which(kinds == kind)
-      edit <- places$edits[[among[sample.int(length(among), 1L)]]]
+    one <- function(i) {
+      known <- unique(kinds)
+      kind <- known[first_by_hash(length(known), function(k) {
+        rlang::hash(list(seed, pass, i, file, known[k]))
+      })]
+      among <- places$edits[kinds == kind]
+      edit <- among[[first_by_hash(length(among), function(k) {
+        e <- among[[k]]
+        around <- substr(places$whole, max(1L, e$from - 40L), e$to + 40L)
+        rlang::hash(list(seed, pass, i, around, e$new))
+      })]]
       place(file, edit$kind, places$whole, edit$from, edit$to, edit$new)
     }
-    candidates <- lapply(1:6, function(i) one())
+    candidates <- lapply(1:6, one)
     is_equivalent <- vapply(candidates, function(m) {
       any(vapply(equivalent, function(e) {
         e$file == m$file && e$before == m$before && e$after == m$after

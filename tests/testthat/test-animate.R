@@ -449,3 +449,15 @@ test_that("bad arguments are errors", {
   animate_motion(motion, path, frames_per_s = 2, width_px = 64)
   expect_identical(grDevices::dev.cur(), mine)
 })
+
+test_that("the window of a frame holds the whole box, and not much more", {
+  swing <- scene_pendulum(body_rod(1, 1), 0.5, theta0_rad = 1)
+  film <- animate_motion(trajectory(swing, 0:4 / 4))$film
+  grDevices::pdf(NULL, 5, 5)
+  on.exit(grDevices::dev.off())
+  draw_film_frame(film, 1)
+  window <- graphics::par("usr")
+  middle <- c(mean(film$box[1:2]), mean(film$box[3:4]))
+  half <- max(diff(film$box[1:2]), diff(film$box[3:4])) / 2
+  expect_true(all(abs(window) >= half & abs(window) < 1.2 * half))
+})

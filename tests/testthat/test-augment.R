@@ -1,6 +1,9 @@
 test_that("rotors: work, heat and impulse by hand", {
   # Torques in proportion to the inertias: no twist, omega = t, theta = t^2 / 2.
   driven <- augment(trajectory(scene_rotors(c(1, 2), 1e3, torque = c(1, 2)), c(0, 1, 3)))
+  expect_identical(utils::tail(names(driven), 4), c(
+    "power_w", "work_j", "dissipated_j", "torque_impulse_n_m_s"
+  ))
   expect_equal(driven$work_j, rep(3 * c(0, 1, 9) / 2, each = 2), tolerance = 1e-13)
   expect_equal(driven$power_w, c(0, 0, 1, 2, 3, 6), tolerance = 1e-13)
   expect_equal(driven$torque_impulse_n_m_s, rep(c(0, 3, 9), each = 2))

@@ -296,3 +296,16 @@ test_that("rows of attitudes must have length 1 to eight digits", {
   expect_error(rows(2e-8), "row 2 is off", class = "rotdyn_error_value")
   expect_error(rows(-1e-6), "row 2 is off", class = "rotdyn_error_value")
 })
+
+test_that("a closing speed beyond double precision, along the normal or across it, is no answer", {
+  ball <- body_sphere(1, 0.1)
+  far <- 1.7e308
+  for (v in list(c(far, 0, 0), c(1, far, 0), c(1, 0, far))) {
+    expect_warning(
+      hit <- collide(ball, ball, velocity_1_m_per_s = v, velocity_2_m_per_s = -v,
+        normal = c(-1, 0, 0)),
+      "double precision"
+    )
+    expect_true(is.nan(hit$vx_1_m_per_s) && is.nan(hit$impulse_x_n_s))
+  }
+})

@@ -100,3 +100,11 @@ test_that("a name of bytes is no name of a file", {
   Encoding(bytes) <- "bytes"
   expect_error(read_motion(bytes), class = "rotdyn_error_type")
 })
+
+test_that("up to a tenth of the rows may have another number of cells", {
+  rows <- c("t,a,b", sprintf("%d,%d,%d", 0:59, 0:59, 0:59))
+  rows[c(10, 20, 30, 40, 50)] <- "1,2"
+  expect_identical(nrow(read_text(rows)$dropped), 5L)
+  rows[c(15, 25)] <- "1,2"
+  expect_error(read_text(rows), "another number of cells", class = "rotdyn_error_file")
+})

@@ -131,6 +131,11 @@ test_that("a forged estimate is refused", {
   fit$core$theta <- "a"
   attr(motion, "estimate") <- fit
   expect_error(predict(motion, 1), class = "rotdyn_error")
+  motion <- estimate_motion(coasting(), breaks = 2.5)
+  fit <- attr(motion, "estimate")
+  fit$breaks$first <- 9 + 0 * fit$breaks$first
+  attr(motion, "estimate") <- fit
+  expect_error(predict(motion, 1), class = "rotdyn_error_type")
 })
 
 test_that("segments that overlap in time need a number", {

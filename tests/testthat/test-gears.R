@@ -284,3 +284,10 @@ test_that("the error of a train covers two changes of power flows that lie close
   expect_lt(error, 1e-13)
   expect_lte(max(abs(motion$omega_rad_per_s - truth)), error)
 })
+
+test_that("one torque is of one shaft, and 0 of all", {
+  expect_error(
+    scene_gears(list(1, 1), ratios = 2, torque = 1), "for each of the 2", class = "rotdyn_error"
+  )
+  expect_identical(scene_gears(list(1, 1), ratios = 2, torque = 0)$omega0_rad_per_s, 0)
+})

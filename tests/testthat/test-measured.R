@@ -112,3 +112,12 @@ test_that("parts of other types are a damaged number", {
     expect_error(fits(odd), "damaged", class = "rotdyn_error_type")
   }
 })
+
+test_that("a result is named after its parts", {
+  a <- measured(2, 0.1, name = "a")
+  b <- measured(3, 0.1, name = "b")
+  expect_identical((a + b)$name, "a + b")
+  expect_identical((a / b)$name, "a / b")
+  expect_identical((a - 1)$name, "a - 1")
+  expect_identical((2 * b)$name, "2 * b")
+})

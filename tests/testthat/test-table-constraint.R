@@ -96,3 +96,9 @@ test_that("plain arguments, and those that R looks at first, give the same scene
   expect_error(scene_hoop(TRUE, 0.2, 9), class = "rotdyn_error_type")
   expect_error(scene_hoop(NULL, 0.2, 9), class = "rotdyn_error_type")
 })
+
+test_that("the largest rate is in the summary of one body's angle alone", {
+  largest <- function(...) any(startsWith(names(summary(trajectory(...))), "max_omega"))
+  expect_true(largest(scene_hoop(1, 0.5, 6, theta0_rad = 0.3), 0:2, 1e-6))
+  expect_false(largest(scene_chain(c(1, 1), c(1, 1), theta0_rad = c(1, 0.5)), 0:2, 1e-6))
+})
