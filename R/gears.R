@@ -114,7 +114,7 @@ train_of <- function(bodies, ratios, efficiency, torque, resistance, call) {
 # The arguments but for the bodies, a number for each of n shafts or for each mesh.
 check_train <- function(n, ratios, efficiency, torque, resistance, call) {
   ratios <- check_between(ratios, "ratios", "1", n - 1L, -Inf, call)
-  efficiency <- check_each(efficiency, "efficiency", "1", n - 1L, 0, call)
+  efficiency <- check_each(efficiency, "efficiency", "1", n - 1L, -Inf, call)
   if (any(ratios == 0)) abort_rotdyn("{.arg ratios} must not be 0.", "value", call)
   bad <- which(efficiency <= 0 | efficiency > 1)
   if (length(bad)) abort_domain(efficiency[bad[1]], "efficiency", "1", call, 0, 1, TRUE)

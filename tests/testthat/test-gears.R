@@ -291,3 +291,12 @@ test_that("one torque is of one shaft, and 0 of all", {
   )
   expect_identical(scene_gears(list(1, 1), ratios = 2, torque = 0)$omega0_rad_per_s, 0)
 })
+
+test_that("an efficiency is above 0 and at most 1", {
+  for (wrong in c(0, 1.01, -0.5)) {
+    expect_error(
+      scene_gears(list(1, 1, 1), ratios = c(2, 2), efficiency = c(0.9, wrong)),
+      "efficiency.*greater than 0 and at most 1", class = "rotdyn_error_value"
+    )
+  }
+})

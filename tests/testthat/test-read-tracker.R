@@ -70,3 +70,20 @@ test_that("projects in Latin-1 are read, declared or not, and UTF-8 under any de
     }
   }
 })
+
+test_that("the panel of a project may be within another object", {
+  skip_if_not_installed("xml2")
+  frame <- 0:9
+  rim <- data.frame(frame, x = cos(frame / 3), y = sin(frame / 3))
+  lines <- tracker_xml(list(rim = rim))
+  for (root in c("<object class=\"org.opensourcephysics.TrackerData\">", "<object>")) {
+    file <- text_file(
+      c(lines[1], root, "<property name=\"panel\" type=\"object\">", lines[-1], "</property>",
+        "</object>"), ext = ".trk"
+    )
+    expect_equal(read_tracker(file)$x_m, rim$x, tolerance = 1e-9)
+  }
+  other <- c("<object class=\"org.opensourcephysics.Dataset\">", "</object>")
+  file <- text_file(other, ext = ".trk")
+  expect_error(read_tracker(file), "no project of Tracker", class = "rotdyn_error_file")
+})
