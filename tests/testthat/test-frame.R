@@ -137,3 +137,14 @@ test_that("the ellipse of a swing turns by its area, seen from where its plane s
   expect_equal(rate(0) * 1e4, 3 / 8 * 0.02 / 100 * 1e4)
   expect_equal(rate(-0.02) * 1e4, 0)
 })
+
+test_that("the time of a fall is that of the latitude", {
+  # With a turn of 1 rad/s the depth is g (cos^2 (1 - cos 2 t)/4 + sin^2 t^2/2).
+  for (latitude in c(30, 60, 90)) {
+    c2 <- cos(latitude * pi / 180)^2
+    depth <- function(t) 9.8 * (c2 * (1 - cos(2 * t)) / 4 + (1 - c2) * t^2 / 2)
+    want <- stats::uniroot(function(t) depth(t) - 2, c(0.1, 1.5), tol = 1e-13)$root
+    drop <- earth_drop(2, latitude, 9.8, rotation_rad_per_s = 1)
+    expect_equal(drop$fall_time_s, want, tolerance = 1e-10)
+  }
+})

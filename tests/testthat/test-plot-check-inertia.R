@@ -31,3 +31,11 @@ test_that("many tensors have twelve panels, a damaged check is refused", {
   expect_error(ggplot2::autoplot(check[0, ]), class = "rotdyn_error_type")
   expect_error(ggplot2::autoplot(many, colour = 1), class = "rotdyn_error_argument")
 })
+
+test_that("a condition without a margin is drawn as missed", {
+  skip_if_not_installed("ggplot2")
+  checked <- check_inertia(diag(c(1, 2, 2.5)))
+  checked$margin[1] <- NA
+  expect_identical(ggplot2::autoplot(checked)$data$reach[1], -1)
+  expect_true(all(ggplot2::autoplot(checked)$data$reach[-1] > -1))
+})

@@ -31,3 +31,8 @@ test_that("paths in a plane are drawn, with their ends in words", {
   expect_match(ggplot2::autoplot(short)$labels$subtitle, "its own scale")
   expect_null(ggplot2::autoplot(swing)$labels$subtitle)
 })
+
+test_that("a place of which a coordinate is missing is left out", {
+  places <- data.frame(x = c(1, NA, 3, 4), y = c(1, 2, NA, 4))
+  expect_equal(path_rows(places, c("x", "y"), rlang::current_env()), list(x = c(1, 4), y = c(1, 4)))
+})

@@ -189,3 +189,10 @@ test_that("a law reads the attitude from body to space", {
   momentum <- motion$angular_momentum_x_kg_m2_per_s
   expect_equal(momentum - momentum[1], c(0, 0.1, 0.3), tolerance = 1e-8)
 })
+
+test_that("an attitude is numbers: no text, no object of another class", {
+  start <- function(attitude0) scene_free(c(1, 2, 2.5), c(0, 0, 1), attitude0 = attitude0)
+  for (wrong in list(c("1", "0", "0", "0"), structure(c(1, 0, 0, 0), class = "other"))) {
+    expect_error(start(wrong), "attitude0", class = "rotdyn_error")
+  }
+})
