@@ -212,8 +212,7 @@ estimate_data <- function(record, call) {
   if (is.null(theta) && is.null(omega)) {
     abort_rotdyn(c(
       "{.arg record} has no angle and no angular velocity about one axis.",
-      i = if (any(startsWith(columns, "omega_"))) "{.arg axis} of {.fn motion_record} and
-        {.fn read_motion} takes the rate about one axis: {.val principal}, or one by its name." else
+      i = if (has_all_rates(columns)) one_axis_remedy else
         "Positions of a mark, x and y, need a centre: {.code motion_record(centre_m = )}."
     ), "missing", call)
   }

@@ -854,6 +854,10 @@ record_form <- list(
   axis = list(.optional = TRUE, name = "text", direction = "numbers", across = "number")
 )
 
+has_all_rates <- function(columns) any(grepl("^omega_[xyz]_rad_per_s$", columns))
+one_axis_remedy <- "{.arg axis} of {.fn motion_record} and {.fn read_motion} takes the rate about
+  one axis: {.val principal}, or one by its name."
+
 # A record as an argument, with at least one of the columns `needs`: times in order within each
 # segment, everything finite or NA. Returns it with the columns that the verbs read, segments
 # numbered from 1 in the order of the rows.
@@ -867,8 +871,7 @@ check_record <- function(x, arg, call, needs = c("theta_rad", "omega_rad_per_s",
     abort_rotdyn(c(
       "{.arg {arg}} must have {.or {.field {needs}}}.",
       x = "It has {.field {setdiff(names(x), 'segment')}}.",
-      i = if (any(startsWith(names(x), "omega_"))) "{.arg axis} of {.fn motion_record} and
-        {.fn read_motion} takes the rate about one axis: {.val principal}, or one by its name."
+      i = if (has_all_rates(names(x))) one_axis_remedy
     ), "missing", call)
   }
   for (name in intersect(c("time_s", "segment", record_measured), names(x))) {
