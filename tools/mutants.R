@@ -49,7 +49,8 @@ general_core <- "api/figures"
 # Paths of the programs and files that test `file`, in their order.
 tests_of <- function(file) {
   topic <- sub("^(R|src/core|src/glue)/(.*)[.][Rch]$", "\\2", file)
-  listed <- topics[[sub("[.]h$", ".c", file)]]
+  # Of a header, those of the file that it belongs to.
+  listed <- topics[[if (is.null(topics[[file]])) sub("[.]h$", ".c", file) else file]]
   core <- startsWith(file, "src/core/")
   first <- if (core) listed[cumsum(listed == "+") == 0L] else setdiff(listed, "+")
   after <- if (core) listed[cumsum(listed == "+") > 0L & listed != "+"]
@@ -227,20 +228,38 @@ blocks_of <- function(test, names) {
 # cheap files. Files without a block that calls the function are left out.
 plan_of <- function(mutant) {
   paths <- intersect(tests_of(mutant$file), names(calls))
-  names <- if (startsWith(mutant$file, "R/")) {
-    # Code outside of functions concerns all tests.
-    functions_at(mutant$file, mutant$line)
-  } else if (startsWith(mutant$file, "src/glue/")) {
-    callers_of(mutant$file)
-  }
+  names <- functions_of(mutant)
   plan <- lapply(paths, function(test) {
     all <- !length(names) || names_entry(test, mutant$file)
     c(list(test = test), blocks_of(test, if (!all) names))
   })
   core <- startsWith(paths, "core/")
-  keep <- core | lengths(lapply(plan, `[[`, "wanted")) > 0L
-  costs <- vapply(plan, `[[`, 0, "cpu_s")
-  plan[keep][order(!core[keep], costs[keep])]
+  c(plan[core], cheap_first(plan[!core]), other_topics(mutant, names))
+}
+
+# Functions of R/ that a change concerns; none: all, as of code outside of functions.
+functions_of <- function(mutant) {
+  if (startsWith(mutant$file, "R/")) return(functions_at(mutant$file, mutant$line))
+  if (startsWith(mutant$file, "src/glue/")) callers_of(mutant$file)
+}
+
+cheap_first <- function(plan) {
+  plan <- plan[lengths(lapply(plan, `[[`, "wanted")) > 0L]
+  plan[order(vapply(plan, `[[`, 0, "cpu_s"))]
+}
+
+# What runs where the topic's own tests notice nothing: the blocks of other topics that call the
+# function, the cheap ones first, up to a minute of processor time.
+other_topics <- function(mutant, names) {
+  if (!length(names)) return(list())
+  tests <- setdiff(grep("^testthat/", names(calls), value = TRUE), tests_of(mutant$file))
+  tests <- Filter(function(test) {
+    any(names %in% c(calls[[test]]$outside, unlist(lapply(calls[[test]]$blocks, `[[`, "calls"))))
+  }, tests)
+  plan <- cheap_first(lapply(tests, function(test) {
+    c(list(test = test, other = TRUE), blocks_of(test, names))
+  }))
+  plan[cumsum(vapply(plan, `[[`, 0, "cpu_s")) <= 60]
 }
 
 # The entries of a file of src/glue.
@@ -402,7 +421,10 @@ run_all <- function(folder, plan, code, lib) {
       }
       said <- run_test_file(basename(test), part$limit_s, test_environment(part$wanted))
     }
-    if (!is.null(said)) return(list(status = "killed", by = paste0(test, ": ", said[1L])))
+    if (!is.null(said)) {
+      by <- paste0(test, ": ", said[1L])
+      return(list(status = "killed", by = by, other = isTRUE(part$other)))
+    }
   }
   list(status = "survived")
 }
@@ -608,13 +630,15 @@ invisible(lapply(seq_len(jobs), make_slot))
 needed <- unique(unlist(lapply(items, function(candidates) {
   lapply(candidates, function(mutant) tests_of(mutant$file))
 })))
-sums <- tools::md5sum(c(file.path(sources, r_files), file.path(tests, needed)))
-names(sums) <- c(r_files, needed)
 kept_file <- Sys.getenv("MUTANTS_CALLS")
 kept <- if (nzchar(kept_file) && file.exists(kept_file)) readRDS(kept_file) else list()
+recorded_tests <- union(needed, names(kept))
+recorded_tests <- recorded_tests[file.exists(file.path(tests, recorded_tests))]
+sums <- tools::md5sum(c(file.path(sources, r_files), file.path(tests, recorded_tests)))
+names(sums) <- c(r_files, recorded_tests)
 calls <- Filter(function(known) {
   all(names(known$sums) %in% names(sums)) && identical(known$sums, sums[names(known$sums)])
-}, kept[intersect(needed, names(kept))])
+}, kept)
 needed <- setdiff(needed, names(calls))
 recorded <- if (length(needed)) lapply(stats::setNames(r_files, r_files), recorded_code)
 broken <- character()
@@ -652,20 +676,14 @@ if (length(broken)) {
   if (length(broken) > length(calls)) quit(status = 2L)
 }
 
-killed <- survived <- none <- 0L
+killed <- survived <- none <- others <- 0L
 report <- function(mutant) {
   cat(sprintf(
     "%s, line %d (%s)\n%s\n- %s\n+ %s\n", if (mutant$status == "killed") "killed" else "SURVIVED",
     mutant$line, mutant$kind, mutant$file, mutant$before, mutant$after
   ))
   if (mutant$status == "killed") return(cat("by", substr(mutant$by, 1L, 200L), "\n\n"))
-  names <- if (startsWith(mutant$file, "R/")) functions_at(mutant$file, mutant$line)
-  others <- Filter(function(test) {
-    any(names %in% c(calls[[test]]$outside, unlist(lapply(calls[[test]]$blocks, `[[`, "calls"))))
-  }, setdiff(names(calls), tests_of(mutant$file)))
-  cat("ran:", if (length(mutant$ran)) mutant$ran else "none of its topic calls it", "\n")
-  if (length(others)) cat("not run, call it:", others, "\n")
-  cat("\n")
+  cat("ran:", if (length(mutant$ran)) mutant$ran else "no test calls it", "\n\n")
 }
 by_kind <- list()
 in_processes(
@@ -681,6 +699,11 @@ in_processes(
     by_kind[[kind]] <<- (if (is.null(by_kind[[kind]])) c(0L, 0L) else by_kind[[kind]]) +
       c(result$status == "killed", 1L)
     if (result$status == "killed") killed <<- killed + 1L else survived <<- survived + 1L
+    if (isTRUE(result$other)) {
+      others <<- others + 1L
+      cat(sprintf("by another topic: %s line %d, %s\n", result$file, result$line,
+                  sub(": .*", "", result$by)))
+    }
     if (result$status != "killed" || Sys.getenv("MUTANTS_SHOW") == "all") report(result)
   }
 )
@@ -691,6 +714,7 @@ for (l in lost) {
 for (kind in sort(names(by_kind))) {
   cat(sprintf("%-10s %d of %d\n", kind, by_kind[[kind]][1L], by_kind[[kind]][2L]))
 }
+if (others) cat(others, "noticed by tests of another topic alone\n")
 if (none) cat(none, "files without a place that changes anything\n")
 share <- killed / max(1L, killed + survived)
 cat(sprintf(

@@ -578,3 +578,8 @@ test_that("event rows are for every scene", {
   expect_true("stick" %in% motion$event)
   expect_true(all(audit(motion)$verdict == "balanced"))
 })
+
+test_that("a time at which the closed form leaves the doubles is an error, not a row", {
+  slides <- scene_incline(body_sphere(1, 0.1), 30, static_friction = 0.2)
+  expect_error(trajectory(slides, c(1, 1e200)), class = "rotdyn_error_range")
+})

@@ -55,3 +55,18 @@ test_that("the test of the law: uniform where it holds, small where phase or for
   expect_true(sum(none > 0.5) <= stats::qbinom(0.998, n, 0.5))
   expect_lt(p(3e-5 * (time - 15)^3), 1e-6)
 })
+
+test_that("the fit ends at a minimum, also of a law that does not hold", {
+  time <- seq(0, 20, by = 0.05)
+  active <- c(1:4, 7)
+  off <- function(y) {
+    model <- function(p) free_motion(p, time, 0, "theta_rad", "spring")
+    fit <- least_squares(model, y, c(0.5, 0, 1.95, 0.02, 0, 0, 0), active)
+    j <- fit$now$derivative[, active]
+    max(abs(crossprod(j, fit$residual)) / sqrt(colSums(j^2))) / sqrt(sum(fit$residual^2))
+  }
+  # The residuals are at right angles to each derivative; roundings of the sums are 1e-10.
+  expect_lt(off(0.9 * cos(2 * time) / (1 + 0.1 * time)), 2e-8)
+  expect_lt(off(cos(2 * time) + 0.8 * cos(5 * time)), 1e-8)
+  expect_lt(off(0.5 * cos(2 * time + 0.002 * time^2)), 1e-8)
+})

@@ -90,3 +90,9 @@ test_that("a scene knows its body and its rates", {
   expect_error(flip_time(update(nut, torque = c(1, 0, 0))), class = "rotdyn_error_model")
   expect_error(flip_time(scene_axle(1)), class = "rotdyn_error_type")
 })
+
+test_that("moments that differ by more than their roundings are two moments", {
+  # Beside an axis of nearly equal moments: stable about the first and the last, at 1e-11 of each.
+  expect_equal(spin_stability(c(1, 1 + 1e-11, 2))$stability, c("stable", "unstable", "stable"))
+  expect_equal(spin_stability(c(1, 1 + 1e-13, 2))$stability, c("neutral", "neutral", "stable"))
+})

@@ -103,7 +103,7 @@ static parts turning(const rot_drag *f, double t, double t_lo) {
   y_lo += f->s * t_lo + f->s_lo * t;
   const double c = cos(y), sn = sin(y);
   out.cosine = c - sn * y_lo;
-  out.sine = f->s > 0.0 && y > 1e-100 ? (sn + c * y_lo) / f->s : t;
+  out.sine = f->s > 0.0 ? (sn + c * y_lo) / f->s : t;
   const double lower = out.cosine + f->slope * out.sine;
   ratio_of(&out, f->omega0 * (out.cosine - 0.5 * f->b * out.sine) + f->a * out.sine,
            f->omega0 * (fabs(out.cosine) + 0.5 * f->b * out.sine) + fabs(f->a) * out.sine, lower);

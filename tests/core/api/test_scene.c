@@ -443,6 +443,14 @@ static void check_times(void) {
               ROTDYN_EARGUMENT);
     ROT_CHECK(strstr(report.reason, "times") != NULL);
   }
+  /* From the first to the last further than a double reaches. */
+  const double far[] = {-1e308, 0.0, 1e308};
+  double three[3], *wide[] = {three};
+  rotdyn_report report = ROTDYN_INIT(rotdyn_report);
+  (void)rotdyn_set_number(scene, "start_s", 0.0);
+  ROT_CHECK(rotdyn_scene_run(scene, 3, far, NULL, 3, 1, &column, wide, &report) ==
+            ROTDYN_EARGUMENT);
+  ROT_CHECK(strstr(report.reason, "times") != NULL);
   rotdyn_object_free(scene);
 }
 

@@ -262,6 +262,12 @@ static void check_join(void) {
     rot_moments_join(&a, &b, &a); /* in place */
     ROT_CHECK(memcmp(&a.c, &joined.c, sizeof a.c) == 0);
   }
+  /* Two points: 14 roundings, and hardly more in the bound. */
+  const rot_moments here = {.mass = 1.0}, there = {.mass = 1.0, .centre = {0.3}};
+  rot_moments pair;
+  rot_moments_join(&here, &there, &pair);
+  ROT_CHECK_REL(pair.c[0], 0.045, pair.error);
+  ROT_CHECK(pair.error <= 16.0 * ROT_EPS);
   /* With nothing: the other, whichever side. */
   const rot_moments none = {0};
   rot_moments a = {.mass = 2.0, .centre = {1.0, 2.0, 3.0}, .c = {4.0, 5.0, 6.0, 1.0, 0.5, 0.2}},

@@ -132,6 +132,11 @@ static void check_ends(void) {
   at = rot_drag_at(&huge, 1e100, 0.0);
   ROT_CHECK_REL(at.omega, 1e-200, 1e-15);
   ROT_CHECK_REL(at.theta, 667.74967696827324836e-100, 1e-15);
+  /* a k is no normal number, and its root none with 53 bits: omega0 + a t. */
+  for (double k = 5e-324; k < 1e-300; k *= 1.7 + 1e-323 / k) {
+    const rot_drag slow = flow_of(-1.0, 0.0, k, 3.0, 2.0);
+    ROT_CHECK_REL(rot_drag_at(&slow, 2.0, 0.0).omega, 1.0, 1e-15);
+  }
   const rot_drag bad = flow_of(NAN, 1.0, 1.0, 0.5, 1.0);
   at = rot_drag_at(&bad, 1.0, 0.0);
   ROT_CHECK(isnan(at.omega) && isnan(at.theta));

@@ -22,6 +22,11 @@ static char *code_of(const char *text, char to[4096]) {
   } while (0)
 
 static void check_code(void) {
+  /* Rows of as many numbers are a matrix, others a list. */
+  EXPECT("{\"scene_chain\": {\"links\": [[1, 2], [3, \"-Inf\"]]}}",
+         "scene_chain(links = rbind(c(1, 2), c(3, -Inf)))");
+  EXPECT("{\"scene_chain\": {\"links\": [[1, null], [2, 3]]}}",
+         "scene_chain(links = list(list(1, NULL), c(2, 3)))");
   EXPECT("{\"scene_format\": 1, \"scene_axle\": {\"body\": 0.1, \"torque\": -2.5e-7}}",
          "scene_axle(body = 0.1, torque = -2.5e-07)");
   EXPECT("{\"body_disk\": {\"mass_kg\": 2, \"radius_m\": 0.25}}",

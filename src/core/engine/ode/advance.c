@@ -319,7 +319,10 @@ rot_status rot_ode_advance(rot_ode_stepping *run, double stop, double fraction,
   }
   /* A step cut short by a target says nothing against the longer one. */
   if (fabs(wish) > fabs(step->h) || plan.as_wished) step->h = wish;
-  status = accept(run, *what == ROT_ODE_SAME_SIDE ? plan.target : t + h, error);
+  /* t + h may be rounded beyond the target. */
+  const int whole =
+      *what == ROT_ODE_SAME_SIDE || rot_ode_is_before(&run->clock, plan.target, t + h);
+  status = accept(run, whole ? plan.target : t + h, error);
   if (status == ROT_OK && run->propagation) {
     const rot_ode_propagation_of of = {run->clock.t - t, step->trial, step->trial_slope, PARTS,
                                        rot_ode_rows_within(&run->rows.out, t, run->clock.t)};

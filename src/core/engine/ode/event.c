@@ -266,6 +266,11 @@ static rot_status find_zero(sight *s, double *hi) {
   return ROT_OK;
 }
 
+/* Whether a step h is one to cut: some roundings of the time may not move the clock, for ever. */
+static int moves(const rot_ode_search *in, double h) {
+  return fabs(h) > 8.0 * ROT_EPS * fabs(in->clock->t);
+}
+
 /* Ends the step at this part of it where that is on the right side. */
 static rot_status cut(sight *s, double part, double *h, rot_ode_passage *what) {
   const rot_status status = attempt_part(s, part * *h);
@@ -291,7 +296,7 @@ static rot_status leave_zero(sight *s, size_t which, double *h, rot_ode_passage 
     best = fmax(0.0, seen(s, near));
     x = near;
   }
-  if (best > 0.0) {
+  if (best > 0.0 && moves(s->in, x * *h)) {
     *what = ROT_ODE_TRY_SHORTER;
     return cut(s, x, h, what);
   }
@@ -300,7 +305,7 @@ static rot_status leave_zero(sight *s, size_t which, double *h, rot_ode_passage 
     return ROT_OK;
   }
   /* The cubic may miss a short way out of a long step: ask the method itself. */
-  for (x = 0.25; x > 1e-4; x *= 0.25) {
+  for (x = 0.25; x > 1e-4 && moves(s->in, x * *h); x *= 0.25) {
     const rot_status status = cut(s, x, h, what);
     if (status != ROT_OK || *what == ROT_ODE_CUT_SHORT) return status;
   }
@@ -443,7 +448,8 @@ static rot_status look_for(rot_ode_search *in, size_t which, double *h, rot_ode_
     return ROT_OK;
   }
   /* Between two ends on one side it may dip to the other. */
-  const double dip = end > 0.0 ? dip_of(&s, clear_of(&s), at->fresh) : first_below(&s);
+  double dip = end > 0.0 ? dip_of(&s, clear_of(&s), at->fresh) : first_below(&s);
+  if (!moves(in, dip * *h)) dip = 1.0;
   if (dip < 0.0) {
     *h *= 0.5;
     rot_status status = attempt_part(&s, *h);

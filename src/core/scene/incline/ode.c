@@ -43,7 +43,6 @@ typedef struct motion {
   rot_incline_contact on;
   int mode;          /* see mode_of() */
   double max;        /* largest speed so far, m/s */
-  double beyond;     /* generous bound of the rounding of the speeds, m/s */
   rot_status failed; /* status of an event function, returned by the next rhs */
   rot_events *events;
   size_t n_changes, room;
@@ -245,22 +244,6 @@ static double spin_at(double t, const double y[], void *ctx) {
   return m->on.resists == 0.0 || spin == 0 ? 1.0 : signed_speed(y[RIM], spin);
 }
 
-/* A step that ends within rounding of the zero hides it from the next step (1 of 3000 random
- * scenes). Second event function: the speed has the opposite sign by more than rounding. */
-static double slip_turned(double t, const double y[], void *ctx) {
-  const motion *m = ctx;
-  const int slip = directions_of(m->mode).slip;
-  (void)t;
-  return slip == 0 ? 1.0 : slip * (y[SPEED] - y[RIM]) + m->beyond;
-}
-
-static double spin_turned(double t, const double y[], void *ctx) {
-  const motion *m = ctx;
-  const int spin = directions_of(m->mode).spin;
-  (void)t;
-  return m->on.resists == 0.0 || spin == 0 ? 1.0 : spin * y[RIM] + m->beyond;
-}
-
 /* With a resistance, v reaches 0 together with omega (rolling) or with the slip (omega held): those
  * are the events. */
 static double turn_at(double t, const double y[], void *ctx) {
@@ -315,7 +298,6 @@ static void begin(motion *m, const rot_incline_scene *scene, double span_s, doub
   y[SPEED] = v0;
   y[RIM] = rolls ? v0 : w0;
   m->max = fmax(fabs(v0), fabs(w0));
-  m->beyond = 1e-13 * (m->max + (fabs(m->on.pull) + m->on.slides) * span_s);
   m->mode =
       mode_of((directions){rolls ? 0 : sign(v0 - w0), m->on.resists > 0.0 ? sign(y[RIM]) : 0});
 }
@@ -487,8 +469,6 @@ rot_status rot_incline_integrate(const rot_incline_scene *scene,
     note_noise(&m, f.pull);
     const rot_ode_event event[] = {{slip_at, 0, 0, ROT_EVENT_ROLL, at_slip_zero, NULL, 0},
                                    {spin_at, 0, 0, ROT_EVENT_STICK, at_spin_zero, NULL, 0},
-                                   {slip_turned, 0, -1, ROT_EVENT_ROLL, at_slip_zero, NULL, 0},
-                                   {spin_turned, 0, -1, ROT_EVENT_STICK, at_spin_zero, NULL, 0},
                                    {turn_at, 0, 0, ROT_EVENT_REVERSE, at_turn, NULL, 0},
                                    {margin_at, 0, -1, ROT_EVENT_SLIP, at_limit, NULL, 1}};
     const int offset = p->x0_m != 0.0 || p->theta0_rad != 0.0;

@@ -951,6 +951,11 @@ static void check_extremes(void) {
     ROT_CHECK_REL(column[1][0], e->omega, 2e-15);
     ROT_CHECK(fabs(column[0][0] - e->theta) <= info.measure[ROT_THETA].error);
     ROT_CHECK(fabs(column[1][0] - e->omega) <= info.measure[ROT_OMEGA].error);
+    /* From above: a single exponential, or a force that only grows, cancels nothing. */
+    if (e->kind == ROT_TERM_EXPONENTIAL || e->x[1] == 0.0) {
+      ROT_CHECK(info.measure[ROT_OMEGA].error <= 20.0 * 0x1p-53 * e->omega + 0x1p-1074);
+      ROT_CHECK(info.measure[ROT_THETA].error <= 20.0 * 0x1p-53 * e->theta + 0x1p-1074);
+    }
   }
 }
 

@@ -130,6 +130,37 @@ static void constant_forces(void) {
   ROT_CHECK(worst <= 1e-9);
 }
 
+/* A step that ends at the change itself, to rounding, finds it in time: a break is put there. */
+static void breaks_at_changes(void) {
+  double worst = 0.0;
+  for (int i = 0; i < 200; i++) {
+    rot_incline_scene scene = sphere(uniform(-40.0, 40.0), uniform(0.05, 0.8), i % 2 ? 0.004 : 0.0,
+                                     uniform(-4.0, 4.0), uniform(-4.0, 4.0));
+    const double t = 3.0;
+    double at[3];
+    table exact, ours;
+    point(&exact);
+    ROT_CHECK(rot_incline_run(&scene.slope, 1, &t, &exact.out, &exact.events, NULL, NULL,
+                              &exact.info) == ROT_OK);
+    const size_t n = exact.events.count < 3 ? exact.events.count : 3;
+    for (size_t e = 0; e < n; e++) {
+      at[e] = exact.events.time_s[e] * (1.0 + (i % 3 - 1) * 0x1p-52);
+    }
+    scene.breaks_s = at;
+    scene.n_breaks = n;
+    ROT_CHECK(run(&scene, 1, &t, 1e-12, ROT_METHOD_RK8PD, &ours) == ROT_OK);
+    ROT_CHECK_EQ_INT((long)ours.events.count, (long)exact.events.count);
+    for (size_t e = 0; e < exact.events.count && e < ours.events.count; e++) {
+      ROT_CHECK(ours.events.event[e] == exact.events.event[e]);
+      worst = fmax(worst, fabs(ours.events.time_s[e] - exact.events.time_s[e]));
+    }
+    rot_events_free(&exact.events);
+    rot_events_free(&ours.events);
+  }
+  printf("changes at breaks: %.2g s\n", worst);
+  ROT_CHECK(worst <= 1e-11);
+}
+
 /* Rolling with quadratic drag: v = vt tanh(c vt t/M), x = M/c log cosh(c vt t/M), M = m (1 + beta),
  * vt^2 = m g sin/c. */
 static void quadratic_drag(void) {
@@ -304,6 +335,7 @@ static void check_range(void) {
 
 int main(void) {
   constant_forces();
+  breaks_at_changes();
   quadratic_drag();
   linear_drag();
   breaks_loose();
