@@ -326,3 +326,9 @@ test_that("sizes of a rule that are none are refused", {
     expect_error(.Call(rotdyn:::ffi_density_size, n), "`n` is not a size")
   }
 })
+
+test_that("the centre is known to a rounding of its place, and to no less", {
+  body <- body_density(function(x, y, z) 1000 + 0 * x, domain_box(c(3e5, 0, 0), c(3e5 + 0.1, 1, 1)))
+  expect_gte(body$detail$centre_error_m, .Machine$double.eps * (3e5 + 0.05))
+  expect_lt(body$detail$centre_error_m, 2 * .Machine$double.eps * 3e5)
+})

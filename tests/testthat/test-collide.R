@@ -309,3 +309,14 @@ test_that("a closing speed beyond double precision, along the normal or across i
     expect_true(is.nan(hit$vx_1_m_per_s) && is.nan(hit$impulse_x_n_s))
   }
 })
+
+test_that("a moment about the axis of a rod is none only to rounding", {
+  struck <- function(aside) {
+    collide(
+      body_rod(2, 1), velocity_1_m_per_s = c(0, 0, -2), normal = c(0, 0, 1),
+      arm_1_m = c(0.3, aside, 0)
+    )
+  }
+  expect_equal(struck(1e-14)$normal_impulse_n_s, struck(0)$normal_impulse_n_s)
+  expect_error(struck(1e-10), class = "rotdyn_error_value")
+})

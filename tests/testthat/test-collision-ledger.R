@@ -113,3 +113,16 @@ test_that("rims meet between the axles", {
   met <- rims_meet(1, 3, 60, 5, radius_1_m = 0.1, radius_2_m = 0.25)
   expect_equal(attr(met, "collision")$contact, cbind(0.1, 0, 0))
 })
+
+test_that("a light touch of fast bodies has the rounding of their energy alone", {
+  ball <- body_sphere(1, 0.1)
+  touch <- collide(
+    ball, ball, velocity_1_m_per_s = c(1, 0, 0), velocity_2_m_per_s = c(1 - 1e-6, 0, 0),
+    normal = c(-1, 0, 0), restitution = 1
+  )
+  ledger <- collision_ledger(touch)
+  # 32 roundings of the 1 J before and the 1 J after.
+  energy <- ledger$rounding[ledger$balance == "energy"]
+  expect_lt(energy, 1.01 * 64 * .Machine$double.eps)
+  expect_gt(energy, 0.99 * 64 * .Machine$double.eps)
+})

@@ -196,3 +196,18 @@ test_that("rotors drift under a torque, and where they turn as a whole", {
   expect_false(drifts(c(0, 0), c(2, -1)))
   expect_false(drifts(c(0, 0), c(0, 0)))
 })
+
+test_that("rotors before the start: from there the motion comes back to it", {
+  at_0 <- list(theta_rad = c(0.1, 0, 0), omega_rad_per_s = c(1, 2, 3))
+  scene <- function(theta, omega, start) {
+    scene_rotors(
+      1:3, c(50, 80), c(0.3, 0.2), resistance = c(0.2, 0, 0.7), torque = c(1, 0, -0.5),
+      theta0_rad = theta, omega0_rad_per_s = omega, start_s = start
+    )
+  }
+  early <- trajectory(scene(at_0$theta_rad, at_0$omega_rad_per_s, 0), -0.7)
+  expect_equal(glance(early)$model, "rotors_modal")
+  back <- trajectory(scene(early$theta_rad, early$omega_rad_per_s, -0.7), 0)
+  expect_equal(back$theta_rad, at_0$theta_rad, tolerance = 1e-13)
+  expect_equal(back$omega_rad_per_s, at_0$omega_rad_per_s, tolerance = 1e-13)
+})

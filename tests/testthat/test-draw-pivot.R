@@ -58,3 +58,13 @@ test_that("the letter of a rotor stands beyond the tip of its axis", {
     expect_gt(sum(away * axes[[k]]$points[2, ]), 0)
   }
 })
+
+test_that("rotors of the body have their rates", {
+  gyrostat <- scene_pivot(
+    c(0.02, 0.02, 0.01), c(0, 0, 30), mass_kg = 0.5, centre_m = c(0, 0, 0.08),
+    rotors = rotor(c(0, 0, 1), 0.003, 50)
+  )
+  values <- draw_pivot(gyrostat)$quantities
+  expect_match(values$value[values$name == "rotor"], "50 rad/s", fixed = TRUE)
+  expect_match(values$value[values$symbol == "L"], "0.45", fixed = TRUE)
+})

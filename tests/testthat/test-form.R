@@ -202,3 +202,13 @@ test_that("whole numbers and flags with a class are no numbers of a form", {
   }
   expect_error(takes(structure(TRUE, class = "odd"), "flag"), class = "rotdyn_error_type")
 })
+
+test_that("a tensor of other numbers or another shape is none", {
+  tensor <- inertia_tensor(body_box(1, 0.1, 0.2, 0.3))
+  whole <- tensor
+  storage.mode(whole) <- "integer"
+  expect_error(principal_axes(whole), class = "rotdyn_error_type")
+  flat <- tensor
+  attr(flat, "dim") <- c(1L, 9L)
+  expect_error(principal_axes(flat), class = "rotdyn_error_type")
+})

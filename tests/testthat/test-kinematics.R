@@ -230,3 +230,7 @@ test_that("a wheel by its speed, and units as in names of arguments", {
   expect_error(angular_motion(omega_rad_per_s = 1, time_s = 2), "alpha_rad_per_s2.* is 0",
                class = "rotdyn_error_missing")
 })
+
+test_that("the core takes no unit beside its list", {
+  for (unit in c(-1, 99, NaN)) expect_error(.Call(rotdyn:::ffi_convert_angle, 1, unit), "unit")
+})

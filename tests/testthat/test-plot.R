@@ -78,3 +78,9 @@ test_that("breaks are round values within the limits, to both ends", {
   expect_identical(rotdyn:::plot_breaks(13)(c(0.2, 9.7)), c(2, 4, 6, 8))
   expect_lte(length(rotdyn:::plot_breaks(26)(c(0, 10))), 3)
 })
+
+test_that("margins grow with the letters, but less", {
+  gap <- function(size) as.numeric(plot_theme(size)$plot.title$margin)[3]
+  expect_gt(gap(20), gap(10))
+  expect_lt(gap(20), 2 * gap(10))
+})

@@ -40,6 +40,8 @@ test_that("pivots along a rod: k, g, and the one that does not fit", {
   expect_equal(exact$gyration_square_m2$value, 1 / 12, tolerance = 1e-9)
   expect_equal(exact$gravity_m_per_s2$value, 9.81, tolerance = 1e-9)
   known <- fit_pivots(t, d, gravity_m_per_s2 = 9.81)
+  expect_identical(known$gravity_m_per_s2$value, 9.81)
+  expect_identical(known$gravity_m_per_s2$u, 0)
   expect_equal(known$gyration_square_m2$value, 1 / 12, tolerance = 1e-9)
   set.seed(4)
   noisy <- t * (1 + stats::rnorm(9, sd = 1e-3))

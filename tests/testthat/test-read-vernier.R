@@ -102,3 +102,13 @@ test_that("a name of one letter ends no archive", {
   entry <- c(head, charToRaw("xyz"), raw(509))
   expect_identical(tar_files(c(entry, raw(1024)), "x.tar", NULL), list(a = charToRaw("xyz")))
 })
+
+test_that("a column of a project that is shorter has no value in the last rows", {
+  skip_if_not_installed("xml2")
+  text <- paste(vernier_xml(list("Run 1" = samples(30))), collapse = "\n")
+  short <- sub("\n3.3\n3.4\n</ColumnCells>", "\n</ColumnCells>", text, fixed = TRUE)
+  expect_false(identical(short, text))
+  r <- read_motion(text_file(short, ext = ".cmbl"))
+  expect_equal(r$time_s, samples(28)$t)
+  expect_equal(r$theta_rad, samples(28)$a)
+})

@@ -398,3 +398,16 @@ test_that("what a body has without its rotors may be little, not less than round
   }
   expect_error(wheeled(1e-13), "without them", class = "rotdyn_error_value", ignore.case = TRUE)
 })
+
+test_that("the closed form holds close to a tumbling past both ends of the rotor's axis", {
+  beside <- function(omega_x) {
+    glance(trajectory(
+      scene_free(c(1, 3, 2), c(omega_x, 0, 1), rotors = rotor(c(0, 0, 1), 0.2, 1e-12)), c(0, 50)
+    ))
+  }
+  near <- beside(1e-5)
+  expect_equal(near$model, "free_gyrostat")
+  expect_lt(near$error, 1e-12)
+  # At both ends themselves it has no digits: the motion is integrated.
+  expect_equal(beside(1e-7)$model, "free_rk8pd")
+})

@@ -84,3 +84,11 @@ test_that("each body has its own angle and rate, whatever the clutch's torques",
     }
   }
 })
+
+test_that("torques that are not constant between jumps make it a drive", {
+  expect_s3_class(scene_clutch(2, 3, 12, torque = list(torque_knots(0:1, c(4, 4)), NULL)),
+                  "rot_scene_clutch")
+  for (torque in list(torque_knots(0:1, c(0, 5)), torque_knots(0:2, c(0, 5, 0)))) {
+    expect_s3_class(scene_clutch(2, 3, 12, torque = list(torque, NULL)), "rot_scene_drive")
+  }
+})

@@ -98,3 +98,7 @@ test_that("what a constructor made of other inputs follows them", {
     last(suppressMessages(scene_incline(body_sphere(6, 0.05), 1, v0_m_per_s = 2)))
   )
 })
+
+test_that("numbers are shown with six digits", {
+  expect_identical(format_each(c(1 / 3, 2e7 / 3, 5)), c("0.333333", "6666667", "5"))
+})

@@ -380,3 +380,23 @@ test_that("accuracies that no model reaches are refused, and the crudest is take
   plan <- sweep_plan(wheel, 4, rows_of(omega0_rad_per_s = 1:3), accuracy = 1e300)
   expect_identical(sweep_run(plan)$status, rep("ok", 3))
 })
+
+test_that("the bar of a sweep goes through its chunks, from 0 to 1", {
+  space <- asNamespace("rotdyn")
+  put <- function(name, f) {
+    unlockBinding(name, space)
+    assign(name, f, envir = space)
+  }
+  own <- mget(c("progress_bar", "commit_chunk"), envir = space)
+  on.exit(for (name in names(own)) put(name, own[[name]]))
+  seen <- double()
+  put("progress_bar", function(name) function(fraction) seen <<- c(seen, fraction))
+  put("commit_chunk", function(plan, folder, chunk, threads, progress, call) {
+    progress(0)
+    progress(0.5)
+    progress(1)
+    chunk
+  })
+  expect_equal(rotdyn:::run_here(NULL, NULL, c(3, 1), 1, NULL), list(3, 1))
+  expect_equal(seen, c(0, 0.25, 0.5, 0.5, 0.75, 1))
+})

@@ -1,4 +1,7 @@
 /* Files that are written: their bytes, and what is said where they cannot be. */
+#ifndef _WIN32
+#define _XOPEN_SOURCE 600 /* fork(), setitimer() */
+#endif
 #include "ground/file.h"
 
 #include <errno.h>
@@ -7,6 +10,14 @@
 #include <string.h>
 
 #include "rot_test.h"
+
+#ifndef _WIN32
+#include <signal.h>
+#include <sys/select.h>
+#include <sys/time.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#endif
 
 static rot_file file;
 
@@ -45,6 +56,55 @@ static void bytes(void) {
   ROT_CHECK(rot_file_special(".") == 1);
 }
 
+#ifndef _WIN32
+static unsigned char byte_at(size_t i) { return (unsigned char)(i * 131 + i / 256); }
+
+/* Reads slowly what write_all() wrote; 0 if it is n bytes, in their order. */
+static int read_slowly(int descriptor, size_t n) {
+  unsigned char part[4096];
+  size_t at = 0;
+  ssize_t got;
+  while ((got = read(descriptor, part, sizeof part)) > 0) {
+    struct timeval rest = {0, 1000};
+    for (ssize_t i = 0; i < got; i++) {
+      if (part[i] != byte_at(at++)) return 1;
+    }
+    (void)select(0, NULL, NULL, NULL, &rest);
+  }
+  return at == n ? 0 : 2;
+}
+
+static void on_alarm(int number) { (void)number; }
+
+/* A pipe takes a part at a time, and signals interrupt what waits for room in it. */
+static void interrupted(void) {
+  enum { N = 500000 };
+  int ends[2], status = 1;
+  unsigned char *bytes = malloc(N);
+  struct sigaction action = {.sa_handler = on_alarm};
+  const struct itimerval often = {{0, 2000}, {0, 2000}}, never = {{0, 0}, {0, 0}};
+  if (bytes == NULL || pipe(ends) != 0) exit(1);
+  for (size_t i = 0; i < N; i++) bytes[i] = byte_at(i);
+  const pid_t reader = fork();
+  if (reader < 0) exit(1);
+  if (reader == 0) {
+    close(ends[1]);
+    _exit(read_slowly(ends[0], N));
+  }
+  close(ends[0]);
+  sigaction(SIGALRM, &action, NULL);
+  setitimer(ITIMER_REAL, &often, NULL);
+  rot_file_on(&file, ends[1]);
+  rot_file_add(&file, bytes, N);
+  ROT_CHECK(rot_file_close(&file) == 0);
+  setitimer(ITIMER_REAL, &never, NULL);
+  close(ends[1]);
+  while (waitpid(reader, &status, 0) < 0 && errno == EINTR) continue;
+  ROT_CHECK(WIFEXITED(status) && WEXITSTATUS(status) == 0);
+  free(bytes);
+}
+#endif
+
 static void faults(void) {
   rot_file_open(&file, "rot_no_such_folder/file");
   rot_file_add(&file, "a", 1);
@@ -73,6 +133,9 @@ static void full(void) {
 
 int main(void) {
   bytes();
+#ifndef _WIN32
+  interrupted();
+#endif
   faults();
   full();
   return rot_test_report("file");

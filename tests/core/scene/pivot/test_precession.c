@@ -19,6 +19,17 @@ static void test_horizontal(void) {
   ROT_CHECK(rot_precession_of(&faint).error == 0.0);
 }
 
+/* A top that sleeps upright: to a rounding of its angle it stays there. */
+static void test_upright(void) {
+  rot_precession_input in = {0.5, 0.08, 0.002, 500.0, 0.003, 0.0, 9.80665};
+  for (int hangs = 0; hangs < 2; hangs++) {
+    in.angle_deg = hangs ? 180.0 : 0.0;
+    const rot_precession out = rot_precession_of(&in);
+    ROT_CHECK(out.nutation_s > 0.0 && out.nutation_s < 1.0);
+    ROT_CHECK(fabs(out.lowest_deg - in.angle_deg) <= 1e-13);
+  }
+}
+
 /* I1, I3, G, theta, omega3, slow, fast, formula, period, lowest cosine, angle of a nutation. */
 static void test_table(void) {
   FILE *table = shared_table("refs/heavy_top_scalar.csv");
@@ -113,6 +124,7 @@ static void test_scales(void) {
 
 int main(void) {
   test_horizontal();
+  test_upright();
   test_table();
   test_signs();
   test_ends();
