@@ -140,7 +140,7 @@ motion_format <- function(bytes, file, call) {
   first <- split_lines(head)
   first <- first[nzchar(trimws(first))]
   if (grepl("^\"?(Time|t) \\(s\\)\"?[,;\t]\"?(Gyroscope|Gyro|Angular velocity|Gyroskop)[^0-9]*x",
-    first[1]) && !grepl("X \\(", first[1])) {
+    first[1])) {
     return("phyphox")
   }
   # A line of names of tracks, then one that begins with t.

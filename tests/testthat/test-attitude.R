@@ -137,3 +137,14 @@ test_that("composition, slerp and turned vectors", {
   expect_equal(attitude_difference(identity_q, way), (0:4) * pi / 8, tolerance = 1e-15)
   expect_error(attitude_compose(way, way[1:2, ]), class = "rotdyn_error_size")
 })
+
+test_that("the core takes no axis beside the three, and none twice in a row", {
+  from <- function(sequence) {
+    form <- match("euler", names(attitude_forms)) - 1
+    .Call(rotdyn:::ffi_attitude_from, form, list(0.1, 0.2, 0.3), sequence)
+  }
+  expect_type(from(c(2, 1, 0, 1)), "list")
+  for (wrong in list(c(0, 3, 0, 1), c(-1, 1, 0, 1), c(0, 0, 1, 1))) {
+    expect_error(from(wrong), "sequence")
+  }
+})

@@ -13,6 +13,8 @@ test_that("every verb has a page with all that its help says", {
     expect_false(anyNA(at), info = verb$name)
     expect_identical(page[at + 1L], unname(said$help))
     expect_true(all(verb$example %in% page), info = verb$name)
+    expect_true(all(verb$help[-1] %in% page), info = verb$name)
+    expect_identical(".SH DESCRIPTION" %in% page, length(verb$help) > 1L)
     expect_true(all(paste(".B", rotdyn:::cli_status) %in% page))
   }
 })

@@ -371,6 +371,8 @@ test_that("what is no coast-down is refused, in words", {
   fit <- fit_coast_down(samples)
   expect_error(predict(fit, -1), class = "rotdyn_error_time")
   expect_error(predict(fit, run = 2), class = "rotdyn_error_value")
+  expect_error(predict(fit, run = TRUE), class = "rotdyn_error_value")
+  expect_error(predict(fit, run = c(1, 1)), class = "rotdyn_error_value")
   expect_error(loss_budget(3), class = "rotdyn_error_type")
   expect_error(as_scene(3), class = "rotdyn_error_type")
 })

@@ -308,6 +308,16 @@ test_that("a closing speed beyond double precision, along the normal or across i
     )
     expect_true(is.nan(hit$vx_1_m_per_s) && is.nan(hit$impulse_x_n_s))
   }
+  # An impulse of friction alone, on a body that comes to roll.
+  for (across in list(c(far, 0, -1), c(0, far, -1))) {
+    expect_warning(
+      hit <- collide(
+        body_sphere(10, 0.1), velocity_1_m_per_s = across, normal = c(0, 0, 1), friction = Inf
+      ),
+      class = "rotdyn_warning_range"
+    )
+    expect_true(is.nan(hit$vz_1_m_per_s) && is.nan(hit$friction_impulse_n_s))
+  }
 })
 
 test_that("a moment about the axis of a rod is none only to rounding", {

@@ -108,3 +108,11 @@ test_that("up to a tenth of the rows may have another number of cells", {
   rows[c(15, 25)] <- "1,2"
   expect_error(read_text(rows), "another number of cells", class = "rotdyn_error_file")
 })
+
+test_that("places along two axes are both taken, in metres", {
+  t <- 0:19 / 10
+  lines <- c("t (s);x (cm);y (cm)", paste(t, 3 * t, 40 - 490 * t^2, sep = ";"))
+  r <- read_motion(text_file(lines))
+  expect_equal(r$x_m, 0.03 * t)
+  expect_equal(r$y_m, 0.4 - 4.9 * t^2)
+})

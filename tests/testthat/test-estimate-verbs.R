@@ -168,3 +168,21 @@ test_that("glance tells the smoothness that was fitted", {
   expect_equal(one$order, fit$fit[1])
   expect_equal(10^one$log10_smoothness, fit$fit[2])
 })
+
+test_that("scale and zero of the rates have their part in the error of an energy", {
+  time_s <- seq(0, 6, by = 0.02)
+  set.seed(4)
+  film <- data.frame(
+    time_s = time_s, omega_rad_per_s = rate(time_s) + stats::rnorm(length(time_s), sd = 0.01)
+  )
+  error <- function(...) {
+    motion <- estimate_motion(film, inertia = 0.05, breaks = "none", ...)
+    energy_loss(motion, 1, 4)$energy_loss_se_j^2
+  }
+  plain <- error()
+  # K = I omega^2/2: by a zero that is off by u it is off by I u times the fall of omega.
+  zero <- sqrt(error(rate_bias_u_rad_per_s = 0.02) - plain)
+  expect_equal(zero, 0.05 * 0.02 * (rate(1) - rate(4)), tolerance = 0.01)
+  scale <- sqrt(error(rate_scale_u = 0.01) - plain)
+  expect_equal(scale, 2 * 0.01 * 0.05 * (rate(1)^2 - rate(4)^2) / 2, tolerance = 0.01)
+})

@@ -324,6 +324,33 @@ test_that("a counter is fitted by the times at which it counts", {
   expect_lt(glance(fit)$samples, 300)
 })
 
+test_that("a counter that never waits is fitted by its counts, too", {
+  time_s <- seq(0, 20, by = 0.01)
+  film <- data.frame(
+    time_s = time_s, theta_rad = 0.05 * round((0.4 * time_s + 0.02 * time_s^2) / 0.05)
+  )
+  fit <- fit_scene(scene_axle(1, 0.1), film, c("torque", "omega0_rad_per_s"))
+  expect_true(all(abs(fit$value - c(0.04, 0.4)) < 4 * fit$standard_error))
+  expect_true(all(fit$standard_error < 1e-4))
+  expect_lt(glance(fit)$samples, 400)
+})
+
+test_that("unknowns that nearly stand for each other are determined, those that do are not", {
+  fit <- function(fall) { # the part of omega that is lost in the record
+    film <- film_of(
+      scene_axle(1, 10 * fall, resistance(2 * fall), omega0_rad_per_s = 10), 0:100 / 100,
+      "omega_rad_per_s"
+    )
+    start <- scene_axle(1, 8 * fall, resistance(fall), omega0_rad_per_s = 10)
+    suppressWarnings(fit_scene(start, film, c("torque", "resistance$viscous_n_m_s")))
+  }
+  # Torque and damping act alike as long as omega does not change: by 1e-4, by 1e-9 of it.
+  near <- fit(1e-4)
+  expect_identical(near$status, rep("determined", 2))
+  expect_gt(glance(near)$condition, 1e5)
+  expect_identical(fit(1e-9)$status, rep("not determined", 2))
+})
+
 test_that("what a constructor made of others follows when those vary", {
   ball <- body_sphere(6, 0.108)
   rolls <- suppressMessages(scene_incline(ball, 1, v0_m_per_s = 2))

@@ -104,3 +104,9 @@ test_that("a choice prints as a table once columns or rows are gone", {
     expect_false(any(grepl("<rot_model_choice>", said)))
   }
 })
+
+test_that("a motion without a size has the accuracy of 1e-9, whatever the unit asked for", {
+  skip_if_not_installed("units")
+  still <- trajectory(scene_axle(1), 0:2, units::set_units(1e-3, "rad"))
+  expect_identical(glance(still)$accuracy, 1e-9)
+})

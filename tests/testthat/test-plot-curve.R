@@ -46,3 +46,16 @@ test_that("a curve is drawn between its ends", {
   expect_error(ggplot2::autoplot(bad), class = "rotdyn_error_type")
   expect_error(ggplot2::autoplot(table, 2), class = "rotdyn_error_argument")
 })
+
+test_that("the body is a circle of its radius at each place", {
+  motion <- roll_on_curve(curve_circle(0.5), 0, 1, body = body_sphere(0.1, 0.05), v0_m_per_s = 3)
+  plot <- ggplot2::autoplot(motion)
+  rims <- ggplot2::layer_data(plot, 2)
+  centres <- ggplot2::layer_data(plot, 4)
+  expect_equal(length(unique(rims$group)), 13)
+  for (k in c(1, 7, 13)) {
+    rim <- rims[rims$group == k, ]
+    away <- sqrt((rim$x - centres$x[k])^2 + (rim$y - centres$y[k])^2)
+    expect_equal(away, rep(0.05, nrow(rim)), tolerance = 1e-3)
+  }
+})

@@ -19,6 +19,12 @@ test_that("angle and rate have panels, few samples are points, with what was rea
   expect_few_labels(function(size) ggplot2::autoplot(two_segments(20), base_size = size))
 })
 
+test_that("the subtitle names the file", {
+  file <- text_file(c("t (s),theta (rad)", paste(0:19 / 10, 2 * 0:19 / 10, sep = ",")))
+  plot <- ggplot2::autoplot(read_motion(file))
+  expect_match(plot$labels$subtitle, paste("20 samples from", basename(file)), fixed = TRUE)
+})
+
 test_that("no line joins segments or the sides of a missing value", {
   record <- two_segments(300)
   built <- ggplot2::ggplot_build(ggplot2::autoplot(record))

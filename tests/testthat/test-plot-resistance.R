@@ -37,3 +37,9 @@ test_that("knots are drawn with what is before and after them", {
   expect_silent(ggplot2::ggplotGrob(plot))
   expect_match(plot$labels$alt, "from 5 to 2 kg m^2", fixed = TRUE)
 })
+
+test_that("drag along a line is drawn where a damping is given beside it", {
+  plot <- ggplot2::autoplot(resistance(damping_per_s = 0.1, drag_n_s_per_m = 2), largest = 5)
+  linear <- plot$data[plot$data$part == "linear", ]
+  expect_equal(range(linear$y), c(-10, 10))
+})

@@ -16,6 +16,10 @@ test_that("the work-precision diagram draws without a warning", {
       points <- Filter(nrow, built$data[is_point])
       sort(unlist(lapply(points, function(layer) layer$y[layer$shape == shape])))
     }
+    # The floor is grey from one side to the other, below all that is shown above it.
+    floor <- built$data[[1]]
+    expect_lt(floor$xmin, min(log10(drawn$cost_s)))
+    expect_gt(floor$xmax, max(log10(drawn$cost_s)))
     expect_equal(at(16), sort(log10(drawn$true_error[!drawn$floor])))
     expect_equal(at(6), sort(log10(drawn$true_error[drawn$floor])))
     expect_equal(at(1), sort(log10(drawn$error[!is.na(drawn$error)])))

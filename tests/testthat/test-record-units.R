@@ -35,6 +35,12 @@ test_that("a unit in a name without a slash is a rate where it ends in the secon
   )
 })
 
+test_that("fine and coarse parts of a rate are thousandths of the unit, and thousands", {
+  rates <- heading_table(c("w (mrad/s)", "w (rad/ms)", "w (mdps)", "w (rad/s)"))
+  expect_identical(rates$kind, rep("rate", 4))
+  expect_equal(rates$factor, c(1e-3, 1e3, pi / 180e3, 1))
+})
+
 test_that("clocks of microcontrollers and units in words", {
   heads <- heading_table(c(
     "millis", "micros", "Zeit in ms", "Winkel in rad", "gz_dps", "micros_left", "made in Rome"

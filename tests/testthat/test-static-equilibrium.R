@@ -542,3 +542,16 @@ test_that("a range that is not bounded is not given a far bound", {
   # What the loads alone decide stays bounded.
   expect_lt(max(r$highest[r$support %in% c("s5", "s6")]), 1e-3)
 })
+
+test_that("the core takes no contact beside the reactions", {
+  plank <- structure_of(
+    forces(load_force(c(0, -10), c(1, 0))),
+    list(support_surface(c(0, 0), c(0, 1), 0.5), support_surface(c(2, 0), c(0, 1), 0.5)), 1e-9
+  )
+  expect_type(.Call(rotdyn:::ffi_statics_solve, plank$problem), "list")
+  for (first in c(-1, 3, NaN)) {
+    wrong <- plank$problem
+    wrong$first[2] <- first
+    expect_error(.Call(rotdyn:::ffi_statics_solve, wrong), "first")
+  }
+})

@@ -95,6 +95,17 @@ static void push(const rot_collide_body *body, const double p[3], double sign, i
   }
 }
 
+/* The motion and the impulse; an energy may be infinite beside them. */
+static int is_finite(int bodies, const rot_collide_end *end) {
+  int all = 1;
+  for (int i = 0; i < 3; i++) {
+    all = all && isfinite(end->impulse[i]);
+    for (int b = 0; b < bodies; b++)
+      all = all && isfinite(end->v[b][i]) && isfinite(end->omega[b][i]);
+  }
+  return all;
+}
+
 rot_collide_status rot_collide(const rot_collide_input *in, rot_collide_end *end) {
   const int bodies = isfinite(in->body[1].mass) ? 2 : 1;
   double e[3][3], g[9][3], u[3], other[3] = {0.0, 0.0, 0.0}, w[3];
@@ -154,5 +165,5 @@ rot_collide_status rot_collide(const rot_collide_input *in, rot_collide_end *end
   end->normal_loss = ldexp(lost, energy);
   end->friction_loss = ldexp(flow.slip_heat, energy);
   end->sticks = flow.sticks;
-  return ROT_COLLIDE_OK;
+  return is_finite(bodies, end) ? ROT_COLLIDE_OK : ROT_COLLIDE_BEYOND;
 }

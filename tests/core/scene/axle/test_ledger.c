@@ -283,6 +283,14 @@ static void check_work_of_ramp(void) {
   ROT_CHECK_ULP(ledger(&p, 0.0, 3.0).work_j, 81.0, 4);
   ROT_CHECK_ULP(ledger(&p, 1.0, 3.0).work_j, 80.0, 4);
   ROT_CHECK_ULP(ledger(&p, 1.0, 3.0).impulse_n_m_s, 16.0, 1);
+  /* From nearly nothing to the end of the doubles, and back: omega = 0.5, K = I/8. */
+  static const double ends[][2] = {{1e-250, 1e250}, {1e250, 1e-250}};
+  for (int k = 0; k < 2; k++) {
+    const double once_s[] = {0.0, 1.0};
+    const rot_torque wide = {2, once_s, ends[k], ends[k][0], ends[k][1], NULL, NULL};
+    const rot_axle_params heavy = axle(1e250, 0.0, 0.0, wide);
+    ROT_CHECK_REL(ledger(&heavy, 0.0, 1.0).work_j, 0.125e250, 1e-15);
+  }
 }
 
 /* A coasting body loses K0 (1 - exp(-2 z)) to heat, over every size of z. */
