@@ -234,3 +234,10 @@ test_that("a wheel by its speed, and units as in names of arguments", {
 test_that("the core takes no unit beside its list", {
   for (unit in c(-1, 99, NaN)) expect_error(.Call(rotdyn:::ffi_convert_angle, 1, unit), "unit")
 })
+
+test_that("one row without a solution and one with many are told as well", {
+  expect_warning(
+    angular_motion(theta_rad = c(0, 5), omega0_rad_per_s = c(0, 0), omega_rad_per_s = c(0, 0)),
+    "inconsistent in row 2.*not determine the motion in row 1", class = "rotdyn_warning_value"
+  )
+})

@@ -103,3 +103,15 @@ test_that("a ball that bounces is round, too", {
   expect_s3_class(bounce(body_sphere(1, 0.1)), "rot_collision")
   expect_error(bounce(body_box(1, 0.1, 0.1, 0.1)), class = "rotdyn_error_value")
 })
+
+test_that("a centre beside the axis is taken as on it within four errors of the body", {
+  wheel <- body_tensor(1, diag(rep(0.4, 3)))
+  wheel$error <- 1e-3
+  size <- sqrt(sum(diag(wheel$second_moment_kg_m2)))
+  beside <- function(errors) {
+    wheel$centre_m[1] <- errors * 1e-3 * size
+    rotdyn:::check_rolls(wheel, NULL)
+  }
+  expect_s3_class(beside(3.9), "rot_body")
+  expect_error(beside(4.1), class = "rotdyn_error_value")
+})

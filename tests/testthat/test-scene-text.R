@@ -351,6 +351,8 @@ test_that("bodies joined deeply, or to themselves, have a short text that comput
     expect_identical(back$moment_of_inertia_kg_m2, scene$moment_of_inertia_kg_m2)
     expect_identical(scene_hash(back), scene_hash(scene))
   }
+  # Far beyond what R's own stack holds, and what it takes to look at them ends long before.
+  expect_false(text_is_short(deep(3000)))
   placed <- Reduce(
     function(body, i) place_body(join_bodies(body, ball), c(0.1, 0, 0)), 1:40, body_disk(1, 1)
   )
