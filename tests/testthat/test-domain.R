@@ -98,3 +98,9 @@ test_that("a value that a field may not have is told with its place", {
   expect_error(field(c(1, 2, Inf)), "It is Inf at u = 3", class = "rotdyn_error_density")
   expect_error(field(c(NaN, -2, 3)), "It is NaN at u = 1", class = "rotdyn_error_density")
 })
+
+test_that("a turn is full to rounding, and periodic then", {
+  turn <- function(part) domain_cylinder(1, 2, angle_rad = c(1, 1 + part * 2 * pi))$periodic
+  expect_identical(turn(1 - 1e-13), c(FALSE, TRUE, FALSE))
+  expect_identical(turn(1 - 1e-10), c(FALSE, FALSE, FALSE))
+})

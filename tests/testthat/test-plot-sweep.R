@@ -232,3 +232,13 @@ test_that("a sweep without numbers says why", {
   ))
   expect_error(ggplot2::autoplot(sweep_run(plan)), "value 3", class = "rotdyn_error_value")
 })
+
+test_that("nearly equal rows have the few others beside them", {
+  rows <- data.frame(omega0_rad_per_s = c(rep(20, 200), 5, 40))
+  bars <- ggplot2::layer_data(ggplot2::autoplot(
+    swept(design_list(rows), time_s = 1, outputs = "final_omega_rad_per_s", keep = "summary")
+  ), 1)
+  expect_lt(min(bars$xmin[bars$y > 0]), 6)
+  expect_gt(max(bars$xmax[bars$y > 0]), 38)
+  expect_equal(sum(bars$y), 100)
+})

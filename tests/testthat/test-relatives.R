@@ -100,6 +100,12 @@ test_that("a falling rod: rates, hinge, tip, and where a chimney breaks", {
   expect_equal(x$tip_acceleration_m_per_s2[3], g * sqrt(1.5^2 + 9))
   expect_equal(x$hinge_along_n[3], -1.5 * 1000 * g)
   expect_equal(x$hinge_across_n[3], 250 * g)
+  # Before: of its height 20 cos(angle) twice the derivative by time.
+  angle <- pi / 6
+  expect_equal(
+    x$tip_fall_m_per_s2[2],
+    20 * (x$alpha_rad_per_s2[2] * sin(angle) + x$omega_rad_per_s[2]^2 * cos(angle))
+  )
   # The rod pulls at its hinge beyond cos = 3/5.
   push <- falling_rod(body_rod_end(1, 1), acos(0.6) * 180 / pi + c(-1e-6, 1e-6))$hinge_along_n
   expect_true(push[1] > 0 && push[2] < 0)

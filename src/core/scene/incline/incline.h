@@ -63,7 +63,8 @@ typedef struct rot_incline_columns {
   X(resistance_impulse_n_m_s) /* about the centre of mass */                                       \
   X(drag_force_n)             /* at the time of the row */                                         \
   X(applied_force_n)
-enum { ROT_INCLINE_SUM_ERRORS = 8 };
+/* Errors of the first six, then of the two heats of the rows. */
+enum { ROT_INCLINE_OF_SLIP_HEAT = 6, ROT_INCLINE_OF_ROLLING_HEAT, ROT_INCLINE_SUM_ERRORS };
 
 /* Columns at the time of an event, after the event. */
 typedef struct rot_incline_row {

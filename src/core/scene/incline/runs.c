@@ -154,8 +154,8 @@ static rot_status run_integrated(const void *of, const rot_task *task, rot_metho
     rows->flow_error[ROT_INCLINE_SUM + k] += sums.error[k];
   }
   if (rows->flow) {
-    rows->flow_error[ROT_INCLINE_SLIP_HEAT] += sums.error[6];
-    rows->flow_error[ROT_INCLINE_ROLLING_HEAT] += sums.error[7];
+    rows->flow_error[ROT_INCLINE_SLIP_HEAT] += sums.error[ROT_INCLINE_OF_SLIP_HEAT];
+    rows->flow_error[ROT_INCLINE_ROLLING_HEAT] += sums.error[ROT_INCLINE_OF_ROLLING_HEAT];
   }
   const rot_status given = give_event_rows(&scene->slope, &log, 0, info, rows->at_events);
   free(memory);
