@@ -17,7 +17,7 @@ test_that("a jump among steep changes is found to the last bit", {
   expect_identical(scan(law, 0, 13.24, 257L), at)
   expect_identical(scan(function(t) -law(t), 0, 13.24, 257L), at)
   # Wherever it lies between two of the points.
-  for (at in 1.98 + 1:17 / 300) expect_identical(scan(law, 0, 13.24, 257L), at)
+  for (at in 1.73 + 1:17 / 170) expect_identical(scan(law, 0, 13.24, 257L), at)
 })
 
 test_that("kinks are found", {
