@@ -131,3 +131,19 @@ test_that("the error of a short tumble is its rounding, and not much more", {
   ))
   expect_true(all(short$error > 4 * 2^-52 & short$error < 40 * 2^-52))
 })
+
+test_that("the kernel of free bodies keeps its phase over a million radians", {
+  rates <- c(0.3, 0.5, 1:6)
+  columns <- c("omega_x_rad_per_s", "qw", "qx", "qy", "qz")
+  body <- function(rate) scene_free(c(1, 2, 2.9), c(rate, 0.01, 2))
+  rows <- sweep_run(sweep_plan(
+    body(1), 1e6, design_list(data.frame("omega0_rad_per_s[1]" = rates, check.names = FALSE)),
+    outputs = paste0("final_", columns)
+  ))
+  for (i in seq_along(rates)) {
+    alone <- trajectory(body(rates[i]), 1e6)
+    expect_within(
+      unlist(rows[i, paste0("final_", columns)]) + 10, unlist(alone[columns]) + 10, 1e-15
+    )
+  }
+})
