@@ -266,7 +266,8 @@ static rot_status find_zero(sight *s, double *hi) {
   return ROT_OK;
 }
 
-/* Whether a step h is one to cut: some roundings of the time may not move the clock, for ever. */
+/* Whether a step h may be cut: a part of some roundings of the time may not move the clock, and is
+ * then cut for ever. */
 static int moves(const rot_ode_search *in, double h) {
   return fabs(h) > 8.0 * ROT_EPS * fabs(in->clock->t);
 }
