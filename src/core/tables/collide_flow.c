@@ -365,5 +365,5 @@ int rot_contact_flow(const rot_contact *contact, const double u[3], rot_contact_
   end->restitution_work = f.restored;
   end->slip_heat = f.heat;
   end->sticks = f.slip <= gone;
-  return f.phase == ENDED;
+  return f.phase == ENDED && isfinite(f.normal);
 }

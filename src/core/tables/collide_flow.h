@@ -46,7 +46,7 @@ typedef struct rot_contact_end {
   int sticks;              /* 1: no slip at the end */
 } rot_contact_end;
 
-/* (contact, u with u[2] < 0) => end. Returns 0 if it finds none, as of numbers beyond doubles. */
+/* (contact, u with u[2] < 0) => end. Returns 0 if the numbers exceed double precision. */
 int rot_contact_flow(const rot_contact *contact, const double u[3], rot_contact_end *end);
 
 #endif

@@ -383,6 +383,25 @@ static void any_units(void) {
   }
 }
 
+/* 1/m is no number beside arm^2/I: the collision has no end, which is said. */
+static void no_end(void) {
+  rot_collide_input in;
+  rot_collide_end end;
+  memset(&in, 0, sizeof in);
+  in.body[0].mass = 1e30;
+  in.body[1].mass = HUGE_VAL;
+  for (int k = 0; k < 3; k++) {
+    in.body[0].moment[k] = 1e-300;
+    in.body[0].axes[k][k] = 1.0;
+  }
+  in.body[0].arm[2] = -1.0;
+  in.body[0].v[2] = -1.0;
+  in.normal[2] = 1.0;
+  in.restitution = 0.5;
+  in.friction = 0.4;
+  ROT_CHECK(rot_collide(&in, &end) == ROT_COLLIDE_BEYOND);
+}
+
 /* A turn of all axes turns the answer. */
 static void any_axes(void) {
   double off = 0.0;
@@ -434,6 +453,7 @@ int main(void) {
   literal_answers();
   slip_from_rest();
   any_units();
+  no_end();
   any_axes();
   random_ordinary();
   random_extreme();
