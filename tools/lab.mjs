@@ -1,4 +1,4 @@
-// Joins the page of the lab: node tools/lab.mjs CORE.wasm PAGE.html. The modules of web/src become
+// Joins the page of the lab: node tools/lab.mjs CORE.wasm.gz PAGE.html. The modules of web/src become
 // one script in the order in which they import each other; no name is at the top of two of them.
 import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { dirname, join } from "node:path";
@@ -38,7 +38,7 @@ const parts = {
     [name.replace(".json", ""), JSON.parse(read(`words/${name}`))])),
   scenes: list.map((id) => ({ id, ...JSON.parse(read(`scenes/${id}.json`)) })),
   html: read("src/page.html").replace("PAGE_CSS", () => css("page.css") + "\n"),
-  wasm: readFileSync(core).toString("base64")
+  core: readFileSync(core).toString("base64")
 };
 // "<" would end the script where "</script" or "<!--" stand in a text.
 const given = Object.entries(parts).map(([name, value]) =>
@@ -48,4 +48,4 @@ const whole = `(() => {\n"use strict";\nconst rotdynParts = {\n${given}\n};\n${
 writeFileSync(page, parts.html.replace("SCRIPT", () => whole));
 const kilo = (text) => Math.round(text.length / 1000);
 console.log(`lab: ${order.length} modules, ${kilo(script)} kB of script, ${
-  kilo(parts.wasm)} kB of core, ${kilo(whole)} kB in all`);
+  kilo(parts.core)} kB of core, ${kilo(whole)} kB in all`);

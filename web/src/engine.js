@@ -96,8 +96,14 @@ class Engine {
   }
 }
 
-async function openEngine(bytes) {
-  return new Engine(await WebAssembly.compile(bytes));
+// Base64 of the gzipped core => engine.
+async function openEngine(base64) {
+  const gzip = new Blob([bytesOf(base64)]).stream();
+  const core = new Response(gzip.pipeThrough(new DecompressionStream("gzip")));
+  return new Engine(await WebAssembly.compile(await core.arrayBuffer()));
 }
 
-export { Engine, bytesOf, openEngine };
+const canCompute = () =>
+  typeof WebAssembly === "object" && typeof DecompressionStream === "function";
+
+export { Engine, canCompute, openEngine };

@@ -1,6 +1,6 @@
 // The element <rotdyn-lab scene='{...}' settings='{...}'>: a scene with its controls, its motion,
 // its model, error, audit, and what can be taken away.
-import { bytesOf, openEngine } from "./engine.js";
+import { openEngine } from "./engine.js";
 import { el, svg } from "./dom.js";
 import { controlsOf, sceneOf, withNumber } from "./inputs.js";
 import { linkOf } from "./link.js";
@@ -24,7 +24,7 @@ const filmType = () => globalThis.MediaRecorder && HTMLCanvasElement.prototype.c
     .find((one) => MediaRecorder.isTypeSupported(one));
 
 let opening = null;
-const sharedEngine = () => opening ??= openEngine(bytesOf(rotdynParts.wasm));
+const sharedEngine = () => opening ??= openEngine(rotdynParts.core);
 
 // Columns that belong on one axis: the same name but for an axis or a number; all energies.
 const panelOf = (name) => {
@@ -57,7 +57,7 @@ class Lab extends HTMLElement {
 
   disconnectedCallback() { this.stop(); }
 
-  // The wasm, then the first picture. Without wasm: what the recording has.
+  // The core, then the first picture. Without the core: what the recording has.
   async open() {
     this.stop();
     const turn = this.turn = (this.turn ?? 0) + 1;
@@ -79,7 +79,7 @@ class Lab extends HTMLElement {
       try {
         this.engine = await sharedEngine();
       } catch {
-        this.box.replaceChildren(el("p", { class: "refused" }, this.words.say("no_wasm")));
+        this.box.replaceChildren(el("p", { class: "refused" }, this.words.say("no_core")));
         return;
       }
     }
@@ -95,7 +95,7 @@ class Lab extends HTMLElement {
   build() {
     const text = this.getAttribute("scene") ?? "";
     this.refusal = el("p", { class: "refused", role: "status", hidden: true });
-    this.tree = null;
+    this.tree = this.run = this.text = null;
     this.controls = [];
     this.undo = null;
     let tree = null;
@@ -132,6 +132,7 @@ class Lab extends HTMLElement {
         this.buildInputs(),
         this.buildPicture(), this.buildCurves(), this.buildModel(), this.buildTake()),
       this.live);
+    this.box.classList.add("void");
     this.solve();
     this.later();
   }
@@ -670,7 +671,8 @@ class Lab extends HTMLElement {
   refuse(said) {
     const name = said.input ? this.say(`name.${splitName(said.input).stem}`, {}, said.input) : "";
     const text = this.say(said.input ? "refused_input" : "refused", {
-      name: said.input ? `${name} (${said.input})` : "", reason: this.words.core(said.reason)
+      name: said.input ? `${name} (${said.input})` : "",
+      reason: this.words.core(said.reason || said.status_text)
     });
     this.refusal.textContent = text;
     this.refusal.hidden = false;
@@ -692,12 +694,13 @@ class Lab extends HTMLElement {
       if (bad) {
         const text = this.refuse(bad);
         this.refusal.hidden = Boolean(this.run);
-        this.wrongInput(text);
+        if (this.run) this.wrongInput(text);
         return false;
       }
       this.text = text;
       this.run = run;
     }
+    this.box.classList.remove("void");
     this.look = new Look(this.tree ?? {}, this.run, this.view);
     if (!this.plotWidth) this.measure();
     this.refusal.hidden = this.run.report.status === 0;

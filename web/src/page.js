@@ -1,6 +1,7 @@
 // The page: a list of scenes, the language, and one lab. What it shows comes from its address, from
 // the file that it was saved in, or is the first scene of the list.
 import { el } from "./dom.js";
+import { canCompute } from "./engine.js";
 import { stateOf } from "./link.js";
 import { Words } from "./words.js";
 
@@ -11,7 +12,6 @@ function openPage() {
   if (!main) return;
   const { scenes, words } = rotdynParts;
   let language = new Words(document.documentElement.dataset.language || navigator.language).code;
-  const wasm = typeof WebAssembly === "object";
 
   const speak = () => {
     const said = new Words(language);
@@ -82,7 +82,7 @@ function openPage() {
     open();
   });
   addEventListener("hashchange", open);
-  if (!wasm) at("note").textContent = new Words(language).say("no_wasm");
+  if (!canCompute()) at("note").textContent = new Words(language).say("no_core");
   open();
 }
 

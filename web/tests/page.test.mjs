@@ -355,7 +355,10 @@ test("links of strangers end in a scene or a sentence", { skip }, async () => {
       const lab = document.querySelector("rotdyn-lab");
       const note = document.getElementById("note").textContent;
       if (note) seen.noted++; else seen.shown++;
-      if (!lab?.shadowRoot?.querySelector(".plot path")) seen.empty.push(link);
+      const refusal = lab?.shadowRoot?.querySelector(".refused:not([hidden])")?.textContent ?? "";
+      if (!lab?.shadowRoot?.querySelector(".plot path") && !/: .+[.]$/.test(refusal)) {
+        seen.empty.push(link);
+      }
     }
     return seen;
   }, Array.from({ length: Number(LINKS) }, (_, k) => k % 3 ? mutated(r, String(good)) :
@@ -367,6 +370,28 @@ test("links of strangers end in a scene or a sentence", { skip }, async () => {
   assert.deepEqual(page.asked, []);
   await page.close();
 });
+
+test("a motion beyond doubles: a sentence, the inputs, and no button without a motion", { skip },
+  async () => {
+    const page = await open();
+    const scene = { scene_free: { body: [1, 2, 2.6], omega0_rad_per_s: [0.05, 6, 5e306] } };
+    await page.evaluate((hash) => { location.hash = hash; },
+      new URLSearchParams({ lab: "1", scene: JSON.stringify(scene) }).toString());
+    const refusal = page.locator("rotdyn-lab .refused:not([hidden])");
+    await refusal.first().waitFor();
+    assert.deepEqual(await refusal.allTextContents(),
+      ["This scene cannot be computed: the motion leaves the range of double precision."]);
+    const buttons = await page.locator("rotdyn-lab").getByRole("button").all();
+    assert.deepEqual(await Promise.all(buttons.map((one) => one.textContent())), ["Start again"]);
+    await page.getByLabel("rate at the start z, rad/s").fill("3");
+    await page.keyboard.press("Enter");
+    await settled(page);
+    assert.equal(await refusal.count(), 0);
+    assert.ok(await page.locator("rotdyn-lab .plot path").count() > 0);
+    assert.ok((await page.locator("rotdyn-lab").getByRole("button").all()).length > 5);
+    quiet(page);
+    await page.close();
+  });
 
 test("two labs of a document, self-contained and split", { skip: skip || !LAB_R }, async () => {
   writeFileSync(join(folder, "two.Rmd"), `---
@@ -416,9 +441,11 @@ test("without WebAssembly: a sentence", { skip }, async () => {
 });
 
 test("the cost of a slider step and of a frame", { skip }, async (t) => {
-  const page = await open("#scene=spin-up");
+  const page = await browser.newPage();
   const client = await page.context().newCDPSession(page);
   await client.send("Performance.enable", { timeDomain: "threadTicks" });
+  await page.goto(`file://${file}#scene=spin-up`);
+  await page.locator("rotdyn-lab .summary:not(:empty)").waitFor();
   const cost = async () => {
     const { metrics } = await client.send("Performance.getMetrics");
     const of = (name) => 1000 * metrics.find((one) => one.name === name).value;
