@@ -22,6 +22,16 @@ test_that("an axle: skater, pendulum, motor, brake", {
     expect_identical(conserved(scene)$conserved, c(FALSE, FALSE))
     expect_true(all(nzchar(conserved(scene)$why)))
   }
+  # A torque about any axis of the body does work.
+  for (axis in 1:3) {
+    torque <- replace(numeric(3), axis, 1e-3)
+    top <- scene_pivot(
+      body_box(2, 1, 0.2, 0.3), omega0_rad_per_s = c(0, 0, 1), pivot_m = c(0, 0, -0.5), torque = torque
+    )
+    expect_false(any(conserved(top)$conserved))
+    body <- scene_free(1:3, omega0_rad_per_s = c(0, 0, 1), torque = torque)
+    expect_identical(kept(body, "energy"), FALSE)
+  }
 })
 
 test_that("several bodies: torques between them are internal", {
