@@ -26,7 +26,8 @@ test_that("an axle: skater, pendulum, motor, brake", {
   for (axis in 1:3) {
     torque <- replace(numeric(3), axis, 1e-3)
     top <- scene_pivot(
-      body_box(2, 1, 0.2, 0.3), omega0_rad_per_s = c(0, 0, 1), pivot_m = c(0, 0, -0.5), torque = torque
+      body_box(2, 1, 0.2, 0.3), omega0_rad_per_s = c(0, 0, 1), pivot_m = c(0, 0, -0.5),
+      torque = torque
     )
     expect_false(any(conserved(top)$conserved))
     body <- scene_free(1:3, omega0_rad_per_s = c(0, 0, 1), torque = torque)
