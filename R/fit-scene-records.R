@@ -38,11 +38,25 @@ fit_records <- function(records, scene, observed, call) {
     time_s <- check_finite(time_s, "time_s", "s", call)
     rows <- seq_along(time_s)
     parts <- if ("segment" %in% names(one)) split(rows, one$segment) else list(rows)
+    values <- lapply(stats::setNames(wanted, wanted), function(name) {
+      observed_numbers(one[[name]], name, call)
+    })
+    # A row that a logger or a table has twice is one sample.
+    again <- logical(length(time_s))
+    if (anyDuplicated(time_s)) {
+      segment <- if ("segment" %in% names(one)) list(one$segment)
+      again <- duplicated(list2DF(c(list(time_s), segment, values)))
+    }
+    if (any(again)) {
+      warn_rotdyn(
+        "{sum(again)} row{?s} of record {i} repeat{?s/} another exactly and {?is/are} left out.",
+        "fit", call
+      )
+    }
     for (k in seq_along(parts)) {
-      rows <- parts[[k]][order(time_s[parts[[k]]])]
-      series <- lapply(stats::setNames(wanted, wanted), function(name) {
-        observed_numbers(one[[name]], name, call)[rows]
-      })
+      rows <- parts[[k]][!again[parts[[k]]]]
+      rows <- rows[order(time_s[rows])]
+      series <- lapply(values, `[`, rows)
       label <- if (nzchar(labels[i])) labels[i] else as.character(i)
       out[[length(out) + 1L]] <- by_edges(list(
         name = if (length(parts) > 1L) paste0(label, ".", k) else label,

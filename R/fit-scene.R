@@ -39,7 +39,8 @@
 #' @param records A data frame with `time_s` and columns of the scene's motion (`theta_rad`,
 #'   `omega_x_rad_per_s`, `x_m`, ...; of several rows for each time `theta_rad[2]`), a
 #'   [motion_record()], or a list of them. NA: not measured. Each segment of a record is one of its
-#'   own. Date-times become seconds since the first.
+#'   own. Date-times become seconds since the first. Rows that repeat another exactly are left out,
+#'   with a warning.
 #' @param unknown Paths of inputs, see [sweep_inputs()]; a vector (`"omega0_rad_per_s"` of a free
 #'   body) stands for its elements. With `build`, named numbers: where the search starts.
 #' @param ... Not used: an unknown argument is an error.
@@ -50,7 +51,7 @@
 #' @param per_record Those of `unknown` that each record has for itself; the others are shared.
 #' @param observed Columns to fit; NULL: all of the records that the motion has.
 #' @param prior A list of [measured()] quantities, by the name of the unknown: what is known of it
-#'   beforehand.
+#'   beforehand, with a standard uncertainty above 0. What is known exactly belongs to the scene.
 #' @param offset,factor Observed columns whose instrument has an unknown zero, an unknown scale.
 #' @param clock TRUE: the time of the records begins at an unknown moment, one for each of them.
 #' @param noise `"find"`, `"white"` for uncorrelated residuals, or known standard deviations of
@@ -68,12 +69,12 @@
 #'   [residuals()][fit_verbs] what they are elsewhere.
 #' @section Errors: `rotdyn_error_argument` for an unknown that is no input, is derived, or is there
 #'   twice, and for a column that the motion lacks; `rotdyn_error_value` for a start outside the
-#'   domain or its limits, an unknown without effect on what was observed, and times before the
-#'   scene's start; `rotdyn_error_size` for fewer samples than unknowns; `rotdyn_error_range` for a
-#'   start whose motion or residuals leave double precision; `rotdyn_error_type`. An error of an R
-#'   function is passed on; where `build` or the constructors in it refuse the numbers of a step,
-#'   the step is shortened. A fit that does not converge is returned with a warning of class
-#'   `rotdyn_warning_fit`.
+#'   domain or its limits, an unknown without effect on what was observed (beyond rounding), a prior
+#'   without uncertainty, and times before the scene's start; `rotdyn_error_size` for fewer samples
+#'   than unknowns; `rotdyn_error_range` for a start whose motion or residuals leave double
+#'   precision; `rotdyn_error_type`. An error of an R function is passed on; where `build` or the
+#'   constructors in it refuse the numbers of a step, the step is shortened. A fit that does not
+#'   converge, or whose records repeat rows, comes with a warning of class `rotdyn_warning_fit`.
 #' @source More, Lecture Notes in Mathematics 630, 105 (1978) for the steps; Harville, J. Am. Stat.
 #'   Assoc. 72, 320 (1977) for REML.
 #' @seealso [fit_coast_down()], [fit_swing()], [sweep_inputs()], [motion_record()].
@@ -273,7 +274,17 @@ check_priors <- function(prior, about, call) {
     abort_rotdyn("{.arg prior} must be a named list of {.fn measured} quantities.", "type", call)
   }
   check_among(names(prior) %||% character(), "names(prior)", names, call)
-  lapply(prior, function(x) as_measured(x, "prior", "1", call))
+  prior <- lapply(prior, function(x) as_measured(x, "prior", "1", call))
+  exact <- names(prior)[vapply(prior, function(x) !all(x$u > 0), NA)]
+  if (length(exact)) {
+    abort_rotdyn(c(
+      "{.arg prior} needs a standard uncertainty above 0 for {.field {exact}}.",
+      i = "What is known exactly is no unknown: give it to the scene and leave it out of
+           {.arg unknown}.",
+      i = "Else give {.code measured(value, u)}."
+    ), "value", call)
+  }
+  prior
 }
 
 # ---- the problem --------------------------------------------------------------------------------

@@ -593,3 +593,54 @@ test_that("a vector of inputs stands for its elements, a record of three rates i
     class = "rotdyn_error_argument"
   )
 })
+
+test_that("an unknown without effect is refused, though rounding depends on it", {
+  pendulum <- scene_pendulum(body_rod_end(0.2, 0.6), theta0_rad = 0.8)
+  axle <- scene_axle(body_disk(2, 0.25), omega0_rad_per_s = 3)
+  for (seed in 1:4) {
+    set.seed(seed)
+    swing <- film_of(pendulum, 0:100 / 20, "theta_rad")
+    swing$theta_rad <- swing$theta_rad + rnorm(101, 0, 0.01)
+    spin <- film_of(axle, 0:100 / 20, "theta_rad")
+    spin$theta_rad <- spin$theta_rad + rnorm(101, 0, 0.01)
+    for (unknown in list("body$mass_kg", c("body$mass_kg", "theta0_rad"))) {
+      expect_error(fit_scene(pendulum, swing, unknown), "body\\$mass_kg.*no effect",
+                   class = "rotdyn_error_value")
+      expect_error(fit_scene(axle, spin, unknown), "body\\$mass_kg.*no effect",
+                   class = "rotdyn_error_value")
+    }
+  }
+  # A small effect is one.
+  light <- scene_axle(body_disk(2, 0.25), resistance = resistance(1e-6), omega0_rad_per_s = 3)
+  film <- film_of(light, 0:100 / 20, "theta_rad")
+  fit <- fit_scene(update(light, resistance = resistance(2e-6)), film, "resistance$viscous_n_m_s")
+  expect_equal(fit$value / 1e-6, 1, tolerance = 1e-4)
+})
+
+test_that("a prior without uncertainty is refused", {
+  pendulum <- scene_pendulum(body_rod_end(0.2, 0.6), theta0_rad = 0.8)
+  swing <- film_of(pendulum, 0:100 / 20, "theta_rad")
+  for (prior in list(0.7, measured(0.7, 0))) {
+    unknown <- c("body$length_m", "theta0_rad")
+    expect_error(
+      fit_scene(pendulum, swing, unknown, prior = list(theta0_rad = prior)),
+      "above 0 for.*theta0_rad", class = "rotdyn_error_value"
+    )
+  }
+})
+
+test_that("a row that is there twice counts once", {
+  pendulum <- scene_pendulum(body_rod_end(0.2, 0.6), theta0_rad = 0.8)
+  set.seed(5)
+  swing <- film_of(pendulum, 0:100 / 20, "theta_rad")
+  swing$theta_rad <- swing$theta_rad + rnorm(101, 0, 0.01)
+  once <- fit_scene(pendulum, swing, "body$length_m")
+  expect_warning(twice <- fit_scene(pendulum, rbind(swing, swing[3:7, ]), "body$length_m"),
+                 "5 rows of record 1 repeat", class = "rotdyn_warning_fit")
+  expect_identical(twice$standard_error, once$standard_error)
+  expect_identical(glance(twice)$samples, glance(once)$samples)
+  # Two readings at one time are two.
+  swing$theta_rad[51] <- swing$theta_rad[50]
+  swing$time_s[51] <- swing$time_s[50] + 1e-9
+  expect_silent(fit_scene(pendulum, swing, "body$length_m"))
+})

@@ -256,12 +256,15 @@ static int one_sided(const rot_fit_motion *m, const rows *here, const rows *ther
 }
 
 /* The step moves the motion by the cube root of its error: then the rounding error of a central
- * difference is as large as what it leaves out. */
-static rot_status find_step(rot_fit_motion *m, size_t j, double low, double high, double *h) {
+ * difference is as large as what it leaves out. *none: no step moves it by more than its errors, as
+ * the mass of a pendulum, whose derivative would be rounding alone. */
+static rot_status find_step(rot_fit_motion *m, size_t j, double low, double high, double *h,
+                            int *none) {
   const double x = j < m->plan->n_inputs ? m->input[j] : m->shift_s;
   const double error = fmax(m->base.error, 4.0 * DBL_EPSILON), target = cbrt(error);
   double size = *h > 0.0 ? *h : fmax(target * fabs(x), 1e-9);
   m->up_step = 0.0;
+  *none = 0;
   for (int round = 0; round < 40; round++) {
     const double step = step_in(x, size, low, high);
     rot_status status = step != 0.0 ? run_moved(m, j, step, &m->up) : ROT_EVALUE;
@@ -272,11 +275,13 @@ static rot_status find_step(rot_fit_motion *m, size_t j, double low, double high
       continue;
     }
     const double change = change_of(m, &m->up);
+    *none = change <= 2.0 * (error + fmax(m->up.error, 4.0 * DBL_EPSILON)) &&
+            !memcmp(m->up.events, m->base.events, m->plan->n * sizeof *m->up.events);
     *h = size;
     m->up_step = step;
     if (change > 0.2 * target && change < 5.0 * target) return ROT_OK;
-    if (change == 0.0 && size > 1e6 * fmax(fabs(x), 1.0)) return ROT_OK; /* it has no effect */
-    if (fabs(step) < size && change < target) return ROT_OK;             /* the domain ends */
+    if (*none && size > 1e6 * fmax(fabs(x), 1.0)) return ROT_OK;
+    if (fabs(step) < size && change < target) return ROT_OK; /* the domain ends */
     const double factor = change > 0.0 ? target / change : 1e3;
     size *= fmin(fmax(factor, 1e-3), 1e3);
   }
@@ -291,8 +296,13 @@ static rot_status run_up(rot_fit_motion *m, size_t j, double h) {
 static rot_status new_slope(rot_fit_motion *m, size_t j, double low, double high, double *size,
                             double slope[]) {
   const double x = j < m->plan->n_inputs ? m->input[j] : m->shift_s;
-  rot_status status = find_step(m, j, low, high, size);
+  int none;
+  rot_status status = find_step(m, j, low, high, size, &none);
   if (status != ROT_OK) return status;
+  if (none) {
+    memset(slope, 0, m->plan->n_columns * m->plan->n * sizeof *slope);
+    return ROT_OK;
+  }
   const double step = step_in(x, *size, low, high), h = fabs(step);
   const int both = x + h <= high && x - h >= low;
   if (!both) { /* at the edge of the domain: one side */
