@@ -1,3 +1,15 @@
+test_that("the uncertainty of a function of one number is that of its slope", {
+  x <- measured(0.3, 1e-3)
+  for (name in c("sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan")) {
+    slope <- eval(D(call(name, quote(v)), "v"), list(v = 0.3))
+    y <- do.call(name, list(x))
+    expect_equal(y$u / (1e-3 * abs(slope)), 1, tolerance = 1e-14, info = name)
+    expect_equal(y$value, do.call(name, list(0.3)), info = name)
+    # Its sign: y - slope x has no part of x left.
+    expect_lt((y - slope * x)$u, 1e-17)
+  }
+})
+
 test_that("readings: mean, s/sqrt(n), n - 1", {
   x <- measured(c(5.007, 4.994, 5.005, 4.990, 4.999))
   # JCGM 100, table H.2.
