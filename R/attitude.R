@@ -253,7 +253,8 @@ read_attitude <- function(form, columns, code, arg, call) {
   off <- q$off
   q$off <- NULL
   given <- Reduce(`&`, lapply(columns, function(x) !is.na(x)))
-  bad <- which(given & is.nan(q$qw))
+  # About an axis of length 0 the cosine of the half angle is a number.
+  bad <- which(given & (is.nan(q$qw) | is.nan(q$qx)))
   if (length(bad)) {
     abort_rotdyn(c(
       "{.arg {arg}} must be attitudes.",

@@ -505,7 +505,7 @@ print.rot_inertia_check <- function(x, ...) {
 }
 
 print_one_check <- function(x) {
-  failed <- sum(x$verdict == "fails")
+  failed <- sum(x$verdict %in% "fails")
   head <- if (failed == 0L) {
     "physical"
   } else {

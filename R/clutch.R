@@ -15,7 +15,8 @@
 #' @param torque_1_n_m,torque_2_n_m Constant torques on the bodies.
 #' @return A tibble with one row for each engagement (arguments have length 1 or n):
 #'   `r describe_columns(engagement_columns)`
-#'   If the clutch never locks, time and heat are infinite and the common speed is NA. NA in a row
+#'   If the clutch never locks, as where `locked_torque_n_m` is beyond the capacity, time and heat
+#'   are infinite and the common speed is NA. NA in a row
 #'   gives NA.
 #' @section Warnings: `rotdyn_warning_range` where finite numbers give a result beyond double
 #'   precision.

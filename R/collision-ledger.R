@@ -300,7 +300,7 @@ print.rot_ledger <- function(x, ..., digits = 4) {
   cat("<rot_ledger> ", ledger_verdict(x$verdict), "\n", sep = "")
   line("", formatC(c("before", "after", "outside", "lost"), width = wide))
   for (i in seq_len(nrow(x))) {
-    if (x$balance[i] == "energy") next
+    if (x$balance[i] %in% "energy") next
     line(names[i], show(c(x$before[i], x$after[i], x$supplied[i])))
     if (!is.na(x$about[i]) && !identical(x$about[i], x$about[i + 1L])) {
       cat("    about ", x$about[i], "\n", sep = "")

@@ -12,7 +12,7 @@ free_constraint <- function() {
     call_laws = call_free_laws,
     summary = function(x, run) {
       c(sizes_in_space(x), list(
-        flip_time_s = if (is.null(run$scene$rotors)) scene_flip_time(run$scene) else NA_real_
+        flip_time_s = if (length(acts_on_flips(run$scene))) NA_real_ else scene_flip_time(run$scene)
       ))
     },
     texts = list(scene_free = text_form(free_arguments, read_free)),

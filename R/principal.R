@@ -32,7 +32,7 @@
 #' @return `principal_axes()`: a tibble (class `rot_principal_axes`) of three rows, moments
 #'   ascending: `r describe_columns(principal_columns)`
 #'   Attributes: `symmetry`, `axes` (3 x 3, axes in columns).
-#'   All eigenvalues of the second moment have a relative error of 1e-15, and are at least 0.
+#'   The second moments are right to 1e-15 of the largest, and at least 0.
 #'
 #'   `symmetry_class()`: one string.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,

@@ -162,7 +162,7 @@ rolling_objects <- function() {
 #' @param body A round body such as [body_sphere()], a list of bodies, names of shapes such as
 #'   `"hoop"`, or numbers: `beta = I/(m r^2)`, at least 0, where Inf takes the limit.
 #' @inheritParams rolling_table
-#' @return Doubles, with NA where an argument is NA. Largest error: 2 ulp (3 ulp for the friction
+#' @return Doubles, with NA where an argument is NA. Largest error: 4 ulp (5 ulp for the friction
 #'   coefficient).
 #' @section Warnings: `rotdyn_warning_range` where finite numbers give a result beyond double
 #'   precision.

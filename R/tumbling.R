@@ -62,8 +62,7 @@ flip_time <- function(body, omega_rad_per_s, ...) {
 flip_time_of_scene <- function(scene, alone, call) {
   check_scene_of(scene, "free", call)
   if (!alone) abort_rotdyn("{.arg omega_rad_per_s} is known of a scene.", "argument", call)
-  acts <- c(torque = "torque", resistance = "resistance", rotors = "rotors")
-  acts <- acts[!vapply(unclass(scene)[names(acts)], is.null, NA)]
+  acts <- acts_on_flips(scene)
   if (length(acts)) {
     abort_rotdyn(c(
       "There is no closed form of the flips of a body with {.field {acts}}.",
@@ -186,6 +185,12 @@ polhode <- function(scene, n = 201, ...) {
 }
 
 # A half period of the motion as it starts, without torque.
+# What takes a body out of the closed form of its flips.
+acts_on_flips <- function(scene) {
+  names <- c("torque", "resistance", "rotors")
+  names[!vapply(unclass(scene)[names], is.null, NA)]
+}
+
 scene_flip_time <- function(scene) {
   omega <- scene$omega0_rad_per_s
   if (scene$axes[1] != 1) {

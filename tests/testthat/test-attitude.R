@@ -148,3 +148,11 @@ test_that("the core takes no axis beside the three, and none twice in a row", {
     expect_error(from(wrong), "sequence")
   }
 })
+
+test_that("an axis of length 0 is refused", {
+  expect_error(attitude_from(c(0, 0, 0, 1), "axis_angle"), "length 0", class = "rotdyn_error_value")
+  expect_error(
+    attitude_from(rbind(c(0, 0, 1, 1), c(0, 0, 0, 0.5)), "axis_angle"), "row 2",
+    class = "rotdyn_error_value"
+  )
+})

@@ -223,3 +223,8 @@ test_that("a check prints what fails and what to look at", {
     check_inertia(c(1, 2, 3, 0, 0, 0))
   })
 })
+
+test_that("rows of what was not checked are printed", {
+  x <- check_inertia(data.frame(ixx = c(1, NA), iyy = 2, izz = 2.5))
+  expect_output(print(x[x$value > 0, ]), "physical")
+})

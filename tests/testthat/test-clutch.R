@@ -48,3 +48,21 @@ test_that("an engagement beyond plain products is found, or said", {
   expect_warning(clutch_engagement(1e308, 1e308, 1e308, 1e308), class = "rotdyn_warning_range")
   expect_silent(clutch_engagement(1, 1, 1, 1, torque_1_n_m = 1e300)) # never locks
 })
+
+test_that("a clutch that cannot hold the speeds equal does not lock", {
+  # The torque on body 1 carries its speed through that of body 2.
+  got <- clutch_engagement(1, 2, 1, 1, 4, torque_1_n_m = 300)
+  expect_identical(got$lock_time_s, Inf)
+  expect_identical(got$heat_j, Inf)
+  expect_true(is.na(got$common_omega_rad_per_s))
+  expect_equal(got$locked_torque_n_m, 200)
+  scene <- scene_clutch(1, 2, 1, torque = list(300, 0), omega0_rad_per_s = c(1, 4))
+  expect_false(any(trajectory(scene, seq(0, 0.03, by = 0.003))$locked))
+  # Equal speeds from the start.
+  expect_identical(clutch_engagement(1, 2, 0.1, 1, 1, torque_1_n_m = 30)$lock_time_s, Inf)
+  expect_identical(clutch_engagement(1, 2, 20, 1, 1, torque_1_n_m = 30)$lock_time_s, 0)
+  expect_identical(clutch_engagement(1, 2, 19, 1, 1, torque_1_n_m = 30)$lock_time_s, Inf)
+  expect_identical(clutch_engagement(1, 2, 19, 1, 1, torque_1_n_m = 3e100)$lock_time_s, Inf)
+  # Without capacity there is no lock; the heat of slip has no end.
+  expect_identical(clutch_engagement(1, 2, 0, 4, 1)$heat_j, Inf)
+})

@@ -126,3 +126,8 @@ test_that("a light touch of fast bodies has the rounding of their energy alone",
   expect_lt(energy, 1.01 * 64 * .Machine$double.eps)
   expect_gt(energy, 0.99 * 64 * .Machine$double.eps)
 })
+
+test_that("a row of NA is printed", {
+  ledger <- collision_ledger(ball_bounce(body_sphere(1, 0.1), 1, -1))
+  expect_output(print(ledger[c(1, NA), ]), "rot_ledger")
+})

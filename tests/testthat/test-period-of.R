@@ -110,3 +110,27 @@ test_that("a top nods by the amplitude that its motion shows", {
   expect_equal(2 * pi / got$period_s[1], min(turned, 2 * pi - turned) / got$period_s[2],
                tolerance = 1e-6)
 })
+
+test_that("a top or a body on which more acts has no period of a closed form", {
+  q <- attitude_from(c(1, 0, 0, 1), "axis_angle")
+  top <- function(...) {
+    scene_pivot(c(1, 1, 0.5), c(0, 0, 6), mass_kg = 1, centre_m = c(0, 0, 1), attitude0 = q, ...)
+  }
+  nutation <- function(scene) summary(trajectory(scene, 0:1))$nutation_period_s
+  expect_gt(nutation(top()), 1)
+  for (scene in list(
+    top(resistance = resistance(damping_per_s = 0.1)), top(torque = c(0, 0, 1)),
+    top(torque = c(1, 0, 0)), top(torque = function(time_s) c(0, 0, sin(time_s))),
+    top(rotors = rotor("z", 0.01, 300, torque = 0.5))
+  )) {
+    expect_error(period_of(scene), class = "rotdyn_error_model")
+    expect_true(is.na(nutation(scene)))
+  }
+  expect_gt(nutation(top(rotors = rotor("z", 0.01, 300))), 0)
+  flips <- function(...) {
+    summary(trajectory(scene_free(c(1, 2, 2.9), c(0.01, 4, 0.01), ...), c(0, 1)))$flip_time_s
+  }
+  expect_gt(flips(), 6)
+  expect_true(is.na(flips(resistance = resistance(damping_per_s = 0.1))))
+  expect_true(is.na(flips(torque = c(5, 0, 0))))
+})

@@ -38,16 +38,18 @@ void rot_jacobi_begin_far(rot_dd root, double halvings, rot_jacobi *out) {
   out->g[0] = 4.0 * exp(-out->k.hi);
 }
 
-double rot_jacobi_reduce(const rot_jacobi *jacobi, rot_dd *u) {
+double rot_jacobi_reduce(const rot_jacobi *jacobi, rot_dd *u, int *quarter) {
   const rot_dd period = rot_dd_add(jacobi->k, jacobi->k);
-  double turns = 0.0;
+  double turns = 0.0, rest = 0.0;
   /* Twice: the first quotient is rounded and may leave more than K. */
   for (int i = 0; i < 2; i++) {
     if (!(fabs(u->hi) > jacobi->k.hi)) break;
     const double n = nearbyint(u->hi / period.hi);
     *u = rot_dd_sub(*u, rot_dd_mul1(period, n));
     turns += n;
+    rest += fmod(n, 4.0);
   }
+  *quarter = (int)fmod(rest + 8.0, 4.0);
   return turns;
 }
 

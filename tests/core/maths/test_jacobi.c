@@ -64,9 +64,10 @@ static void jacobi_functions(double u, double m1, double *sn, double *cn, double
   rot_jacobi jacobi;
   rot_dd x = {u, 0.0};
   rot_jacobi_begin((rot_dd){m1, 0.0}, &jacobi);
-  const double turns = rot_jacobi_reduce(&jacobi, &x);
+  int quarter;
+  (void)rot_jacobi_reduce(&jacobi, &x, &quarter);
   rot_jacobi_at(&jacobi, x, sn, cn, dn);
-  if (fmod(turns, 2.0) != 0.0) {
+  if (quarter % 2) {
     *sn = -*sn;
     *cn = -*cn;
   }
@@ -78,7 +79,8 @@ static double jacobi_amplitude(double u, double m1) {
   rot_dd x = {u, 0.0};
   double sn, cn, dn;
   rot_jacobi_begin((rot_dd){m1, 0.0}, &jacobi);
-  const double turns = rot_jacobi_reduce(&jacobi, &x);
+  int quarter;
+  const double turns = rot_jacobi_reduce(&jacobi, &x, &quarter);
   rot_jacobi_at(&jacobi, x, &sn, &cn, &dn);
   return rot_dd_add1(rot_dd_mul1(pi, turns), atan2(sn, cn)).hi;
 }
@@ -93,6 +95,29 @@ static void check(const double x[6]) {
   ROT_CHECK_REL(cn, x[4], 6.0 * eps * (1.0 + within));
   ROT_CHECK_REL(dn, x[5], 6.0 * eps * (1.0 + within));
   ROT_CHECK_ULP(jacobi_k(x[1]), x[2], 1);
+}
+
+/* Beyond 2^53 half periods, whose number no double holds: mpmath, 60 digits. */
+static void test_far(void) {
+  static const double far[][4] = {
+      {6e+16, -0.99645751051593757496, -0.084097739187092046374, 3},
+      {1e+17, -0.76134960060756168066, 0.64834156557690045617, 2},
+      {-3.1e+17, 0.42256048264765724607, 0.90633472762803200414, 0},
+      {1.152921504606847e+18, 0.79633934942785553571, 0.60485009758850151091, 2},
+      {1.2345e+19, -0.99826720184279901713, 0.058843807872607688782, 2},
+      {9900000000000000.0, 0.71835354204320177736, -0.69567822204952336457, 3}};
+  for (size_t i = 0; i < sizeof far / sizeof *far; i++) {
+    double sn, cn, dn;
+    rot_jacobi jacobi;
+    rot_dd x = {far[i][0], 0.0};
+    int quarter;
+    jacobi_functions(far[i][0], 0.3, &sn, &cn, &dn);
+    ROT_CHECK(fabs(sn - far[i][1]) < 1e-11);
+    ROT_CHECK(fabs(cn - far[i][2]) < 1e-11);
+    rot_jacobi_begin((rot_dd){0.3, 0.0}, &jacobi);
+    (void)rot_jacobi_reduce(&jacobi, &x, &quarter);
+    ROT_CHECK(quarter == (int)far[i][3]);
+  }
 }
 
 static void test_table(void) {
@@ -214,6 +239,7 @@ static void check_carlson_rj(void) {
 int main(void) {
   check_carlson_rj();
   test_table();
+  test_far();
   test_shared();
   test_limits();
   test_identities();

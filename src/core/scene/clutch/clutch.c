@@ -336,6 +336,13 @@ rot_status rot_clutch_run(const rot_clutch_params *p, size_t n, const double tim
 
 /* ---- one engagement -------------------------------------------------------------------------- */
 
+/* The torque that keeps the speeds equal is beyond the capacity, or nothing brakes the slip; NaN:
+ * not known. */
+static rot_clutch_engagement never_locks(double locked_torque) {
+  const double never = isnan(locked_torque) ? (double)NAN : (double)INFINITY;
+  return (rot_clutch_engagement){never, (double)NAN, never, locked_torque};
+}
+
 /* rot_clutch_engage() for products that may overflow or underflow: exponents kept separately, sums
  * halved. */
 static rot_clutch_engagement engage_extended(const double inertia[2], const double fraction[2],
@@ -349,6 +356,7 @@ static rot_clutch_engagement engage_extended(const double inertia[2], const doub
   x.omega_rad_per_s = rot_product(3, (double[]){0.5, inertia[0], omega[0]}, half_sum) +
                       rot_product(3, (double[]){0.5, inertia[1], omega[1]}, half_sum);
   if (half_slip == 0.0) x.omega_rad_per_s = omega[0];
+  if (fabs(x.locked_torque_n_m) > capacity) return never_locks(x.locked_torque_n_m);
   if (isinf(capacity) || half_slip == 0.0) {
     x.lock_s = 0.0;
     x.heat_j = rot_product(4, (double[]){2.0, reduced, size, size}, 1.0);
@@ -356,12 +364,7 @@ static rot_clutch_engagement engage_extended(const double inertia[2], const doub
   }
   /* Half of the torque that brakes the slip. */
   const double half = 0.5 * capacity - 0.5 * sign(half_slip) * x.locked_torque_n_m;
-  if (!(half > 0.0)) {
-    x.lock_s = isnan(half) ? (double)NAN : (double)INFINITY;
-    x.omega_rad_per_s = NAN;
-    x.heat_j = 0.5 * capacity * size * x.lock_s;
-    return x;
-  }
+  if (!(half > 0.0)) return never_locks(x.locked_torque_n_m);
   x.lock_s = rot_product(2, (double[]){size, reduced}, half);
   int of_sum = 0;
   const double sum = frexp(half_sum, &of_sum);
@@ -395,6 +398,7 @@ rot_clutch_engagement rot_clutch_engage(double inertia_1, double inertia_2, doub
   }
   const double mean = slip == 0.0 ? omega_1 : fraction[0] * omega_1 + fraction[1] * omega_2;
   x.locked_torque_n_m = locked_torque(inertia, torque_1, torque_2);
+  if (fabs(x.locked_torque_n_m) > capacity_n_m) return never_locks(x.locked_torque_n_m);
   if (isinf(capacity_n_m) || slip == 0.0) {
     /* (1/2) I1 I2/(I1 + I2) slip^2 as a product: the difference of the energies would cancel. */
     x.lock_s = 0.0;
@@ -413,6 +417,6 @@ rot_clutch_engagement rot_clutch_engage(double inertia_1, double inertia_2, doub
   const double mean_rate =
       fraction[0] * (torque_1 / inertia_1) + fraction[1] * (torque_2 / inertia_2);
   x.omega_rad_per_s = isfinite(x.lock_s) ? mean + mean_rate * x.lock_s : (double)NAN;
-  x.heat_j = 0.5 * capacity_n_m * fabs(slip) * x.lock_s;
+  x.heat_j = isinf(x.lock_s) ? (double)INFINITY : 0.5 * capacity_n_m * fabs(slip) * x.lock_s;
   return x;
 }

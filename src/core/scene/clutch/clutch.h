@@ -74,7 +74,8 @@ rot_status rot_clutch_run(const rot_clutch_params *p, size_t n, const double tim
                           const rot_clutch_columns *out, double *const flow[], double flow_error[],
                           rot_events *events, const rot_hooks *hooks, rot_info *info);
 
-/* An engagement under constant torques. Never locked: lock_s and heat_j Inf, omega NaN. */
+/* An engagement under constant torques. Never locked: lock_s and heat_j Inf, omega NaN; so it is
+ * where the speeds meet and the locked torque is beyond the capacity. */
 typedef struct rot_clutch_engagement {
   double lock_s;            /* since engaging, >= 0 */
   double omega_rad_per_s;   /* common speed at the lock */

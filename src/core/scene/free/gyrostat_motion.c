@@ -192,14 +192,14 @@ typedef struct phase {
 
 static void phase_at(const rot_gyrostat_motion *g, rot_dd u, phase *out) {
   rot_dd r = u;
-  out->turns = rot_jacobi_reduce(&g->jacobi, &r);
+  int n;
+  out->turns = rot_jacobi_reduce(&g->jacobi, &r, &n);
   out->r = r.hi;
   rot_jacobi_at(&g->jacobi, r, &out->s, &out->c, &out->d);
   const double sn = g->negative ? g->root_m1 * out->s / out->d : out->s;
   const double cn = g->negative ? out->c / out->d : out->c;
   out->dn = g->negative ? 1.0 / out->d : out->d;
   const double c = sqrt(0.5 * (1.0 + cn)), s = 0.5 * sn / c;
-  const int n = (int)fmod(fmod(out->turns, 4.0) + 4.0, 4.0);
   out->half_c = n == 0 ? c : n == 1 ? -s : n == 2 ? -c : s;
   out->half_s = n == 0 ? s : n == 1 ? c : n == 2 ? -s : -c;
   out->sn = n % 2 ? -sn : sn;

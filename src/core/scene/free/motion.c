@@ -399,19 +399,20 @@ static void tumbling_at(const rot_free_motion *m, rot_dd t, rot_free_state *out)
   const rot_dd u = rot_dd_add(rot_dd_mul(m->lambda, t), m->start), turned = rot_dd_mul(m->psi, t);
   double sn, cn, dn, w[3], l[3], ct, st, cc, sc, q[4], v[3];
   rot_dd r = u;
-  const double turns = rot_jacobi_reduce(&m->jacobi, &r);
+  int quarter;
+  const double turns = rot_jacobi_reduce(&m->jacobi, &r, &quarter);
   rot_jacobi_at(&m->jacobi, r, &sn, &cn, &dn);
   w[m->o] = m->amplitude[m->o] * cn;
   w[m->c] = m->amplitude[m->c] * dn;
   w[1] = m->amplitude[1] * sn;
-  const double whole = fmod(turns, 4.0), flips = fmod(whole, 2.0) != 0.0 ? -1.0 : 1.0;
+  const double flips = quarter % 2 ? -1.0 : 1.0;
   /* If o leads, the turn by pi for each 2 K includes the change of sign. */
   const double shown = m->r == m->o ? flips : 1.0;
   l[m->o] = shown * m->moment[m->o] * w[m->o];
   l[1] = shown * m->moment[1] * w[1];
   l[m->c] = m->moment[m->c] * w[m->c];
   angles_of(m, l, &ct, &st, &cc, &sc);
-  turn_by_quarters(m->quarter + 2 * m->turns * (int)whole, &cc, &sc);
+  turn_by_quarters(m->quarter + 2 * m->turns * quarter, &cc, &sc);
   double rounding;
   const double swing = swing_of_psi(m, r.hi, sn, cn, dn, &rounding);
   const double psi = rot_dd_less_double_turns(turned).hi + (swing - m->swing0);

@@ -199,6 +199,13 @@ void rot_pivot_lever(const rot_free_params *p, const double q[4], double lever[3
 
 rot_status rot_pivot_nutation(const rot_free_params *p, double out[4]) {
   run r;
+  int acts = p->law || p->motors || p->n_knots || p->damping_per_s != 0.0 || p->torque[0] != 0.0 ||
+             p->torque[1] != 0.0 || p->torque[2] != 0.0;
+  /* A rotor of constant speed is part of the closed form. */
+  for (size_t i = 0; i < p->n_rotors; i++) {
+    acts |= p->rotors[i].torque != 0.0 || p->rotors[i].n_knots;
+  }
+  if (acts) return ROT_EVALUE;
   const rot_status status = begin(p, &r);
   if (status != ROT_OK) return status;
   const rot_top_nutation n = rot_top_nutates(&r.motion);

@@ -628,12 +628,13 @@ void rot_top_at(const rot_top_motion *m, rot_dd t, rot_top_state *out) {
   }
   const rot_dd u = rot_dd_add(rot_dd_mul(m->lambda, now), m->start);
   rot_dd r = u;
-  const double turns = rot_jacobi_reduce(&m->jacobi, &r);
+  int quarter;
+  const double turns = rot_jacobi_reduce(&m->jacobi, &r, &quarter);
   double sn, cn, dn, rounding[2];
   rot_jacobi_at(&m->jacobi, r, &sn, &cn, &dn);
   sum += swing_of(m, &m->sum, r.hi, sn, cn, dn, &rounding[0]) - m->sum.start;
   difference += swing_of(m, &m->difference, r.hi, sn, cn, dn, &rounding[1]) - m->difference.start;
-  if (fmod(turns, 2.0) != 0.0) {
+  if (quarter % 2) {
     sn = -sn;
     cn = -cn;
   }
