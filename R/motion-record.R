@@ -25,7 +25,10 @@ record_arguments <- list(
 #'
 #' An **angle** whose values stay within one turn and jump by more than half a turn is wrapped. It
 #' is unwrapped against the angle predicted from the last two samples (or from the rate, if it was
-#' measured). More than half a turn between two samples cannot be resolved and is an error.
+#' measured). More than half a turn between two samples cannot be resolved and is an error. In a
+#' gap, where angles are missing, the turns are those of the rate, if it was measured there, else
+#' those of the angle's mean rates before and after the gap, if these agree. A jump in a gap where
+#' nothing resolves it stays and is said under `assumed`.
 #'
 #' **Positions** of a mark become an angle about a centre:
 #' \deqn{\theta = \mathrm{atan2}(y - y_c, x - x_c)}{theta = atan2(y - yc, x - xc)}
@@ -40,8 +43,8 @@ record_arguments <- list(
 #'
 #' **Times** that go back begin a new segment. Equal times with different values are taken for a
 #' pause and begin a new segment, too. Where they are more than 1 in 50 rows, the clock is coarse:
-#' they become one row, the mean. Exact copies of a row, rows without a time and rows without any
-#' value are dropped.
+#' they become one row, the mean, after the angle is unwrapped row by row. Exact copies of a row,
+#' rows without a time and rows without any value are dropped.
 #'
 #' The **resolution** of a column is the largest step of which all differences are multiples, where
 #' there is one: a counter, an encoder, or few digits in a file.
@@ -405,23 +408,24 @@ build_record <- function(columns, n, call, counts_per_turn = NULL, pulses_per_tu
       x = "{n} row{?s} {?is/are} given, {length(rows$keep)} {?has/have} a time and a value."
     ), "size", call)
   }
+  # Row by row until the angle is unwrapped: a mean of wrapped angles is no angle.
   out <- rows$columns
-  segment <- rows$segment
   assumed <- c(assumed, rows$assumed)
+  segment <- rows$segment[rows$sample]
+  turned <- NULL
   if (!is.null(out$theta_rad)) {
-    unwrapped <- unwrap_record(out, segment, axis_found, call)
-    out$theta_rad <- unwrapped$theta
-    assumed <- c(assumed, unwrapped$assumed)
+    turned <- unwrap_record(out, segment, call)
+  } else if (all(c("x_m", "y_m") %in% measured)) {
+    turned <- angle_of_mark(out, segment, centre_m, rows$row, marks, call)
   }
+  out$theta_rad <- turned$theta
+  centre <- turned$centre
+  assumed <- c(assumed, turned$assumed)
+  out <- lapply(out, mean_of_samples, sample = rows$sample)
+  out$time_s <- rows$time
+  segment <- rows$segment
   resolution <- vapply(out[measured], find_resolution, 0, segment = segment)
   if ("counts" %in% kind) resolution[["theta_rad"]] <- 2 * pi / counts_per_turn
-  centre <- NULL
-  if (all(c("x_m", "y_m") %in% measured) && is.null(out$theta_rad)) {
-    turned <- angle_of_mark(out, segment, centre_m, rows$keep, marks, call)
-    out$theta_rad <- turned$theta
-    centre <- turned$centre
-    assumed <- c(assumed, turned$assumed)
-  }
   spacing <- diff(out$time_s)[diff(segment) == 0]
   info <- list(
     source = source %||% "a data frame",
@@ -452,7 +456,9 @@ record_headings <- function(columns) {
   )
 }
 
-# Rows that stay, segments and why: see the help.
+# Rows that stay, segments and why: see the help. `row`: rows with a time and a value, with their
+# `columns`; `sample`: the sample of each. `keep`: the first row of each sample, with its `time` and
+# `segment`.
 record_rows <- function(columns, group, breaks, dropped) {
   n <- length(columns$time_s)
   why <- rep(NA_character_, n)
@@ -478,23 +484,19 @@ record_rows <- function(columns, group, breaks, dropped) {
     time <- columns$time_s[keep]
     equal <- which(diff(time) == 0 & diff(group[keep]) == 0)
   }
+  columns <- lapply(columns, `[`, keep)
+  row <- keep
+  sample <- seq_along(keep)
   if (length(equal) > length(keep) / 50) {
     # A clock that is coarser than the sampling.
-    first <- cumsum(c(TRUE, !(diff(time) == 0 & diff(group[keep]) == 0)))
-    values <- lapply(values, function(x) {
-      as.double(tapply(x[keep], first, mean, na.rm = TRUE))
-    })
-    columns <- c(list(time_s = time[!duplicated(first)]), lapply(values, function(x) {
-      replace(x, is.nan(x), NA_real_)
-    }))
-    why[keep[duplicated(first)]] <- "same time as the row before: the mean is kept"
-    keep <- keep[!duplicated(first)]
+    again <- c(FALSE, diff(time) == 0 & diff(group[keep]) == 0)
+    sample <- cumsum(!again)
+    columns$time_s <- spread_times(time, sample, group[keep])
+    why[keep[again]] <- "same time as the row before: the mean is kept"
+    keep <- keep[!again]
+    time <- time[!again]
     assumed <- "equal times are one sample each: their mean"
-    equal <- integer()
-  } else {
-    columns <- lapply(columns, `[`, keep)
   }
-  time <- columns$time_s
   m <- length(time)
   starts <- rep(NA_character_, m)
   if (m > 1L) {
@@ -511,10 +513,32 @@ record_rows <- function(columns, group, breaks, dropped) {
   gone <- which(!is.na(why))
   new <- which(!is.na(starts))
   list(
-    keep = keep, columns = columns, segment = segment, assumed = assumed,
+    keep = keep, time = time, segment = segment, row = row, columns = columns, sample = sample,
+    assumed = assumed,
     dropped = as_table(row = gone, why = why[gone]),
     breaks = as_table(segment = segment[new], time_s = time[new], why = starts[new])
   )
+}
+
+# Times of the rows of a coarse clock: those of a sample are evenly spaced up to the next sample; in
+# the last sample of a run, as in the sample before.
+spread_times <- function(time, sample, group) {
+  size <- tabulate(sample)
+  first <- !duplicated(sample)
+  h <- c(diff(time[first]), NA) / size
+  h[c(diff(group[first]) != 0, TRUE) | !(h > 0)] <- NA
+  last <- which(is.na(h))
+  before <- pmax(last - 1L, 1L)
+  h[last] <- ifelse(group[first][before] == group[first][last], h[before], NA)
+  h[is.na(h)] <- 0
+  time + (sequence(size) - 1) * h[sample]
+}
+
+# NA where a sample has no value in this column.
+mean_of_samples <- function(x, sample) {
+  if (is.null(x) || !anyDuplicated(sample)) return(x)
+  mean <- as.double(tapply(x, sample, mean, na.rm = TRUE))
+  replace(mean, is.nan(mean), NA_real_)
 }
 
 # The rate about the axis asked for, of one column or of three.
@@ -621,54 +645,175 @@ with_all_rates <- function(columns, call) {
 
 # ---- angles --------------------------------------------------------------------------------------
 
-# Unwraps a theta within one turn; an angle that leaves one turn is a running angle already.
-unwrap_record <- function(columns, segment, axis, call) {
+# Unwraps a theta within one turn; an angle that leaves one turn is a running angle already. Where
+# no two neighbouring angles differ by more than half a turn, the wrap may still be in a gap.
+unwrap_record <- function(columns, segment, call) {
+  time <- columns$time_s
   theta <- columns$theta_rad
+  omega <- columns$omega_rad_per_s
   range <- range(theta, na.rm = TRUE)
-  step <- diff(theta)[diff(segment) == 0]
-  wrapped <- diff(range) <= 2 * pi * (1 + 1e-6) && any(abs(step) > pi, na.rm = TRUE) &&
+  within <- diff(range) <= 2 * pi * (1 + 1e-6) &&
     (range[1] >= -1e-6 || (range[1] >= -pi * (1 + 1e-6) && range[2] <= pi * (1 + 1e-6)))
-  if (!wrapped) return(list(theta = theta))
-  theta <- unwrap_angle(columns$time_s, theta, segment, columns$omega_rad_per_s, call)
+  if (!within) return(list(theta = theta))
+  runs <- known_runs(time, theta, segment, omega)
+  jumps <- vapply(runs, function(run) {
+    any(abs(diff(run$x)) > pi & !(run$long & run$hidden)[-1])
+  }, NA)
+  said <- "the angle is wrapped to one turn: unwrapped"
+  if (any(jumps)) {
+    turned <- unwrap_angle(time, theta, segment, omega, call, runs)
+    return(list(theta = turned$theta, assumed = c(said, turned$doubt)))
+  }
+  turned <- 0L
+  unknown <- 0L
+  for (run in runs) {
+    turns <- double(length(run$x))
+    for (i in which(run$long)[-1]) {
+      turns[i] <- turns_in_gap(run, i, run$x)
+      if (is.na(turns[i])) {
+        unknown <- unknown + (abs(run$x[i] - run$x[i - 1L]) > pi)
+        turns[i] <- 0
+      }
+    }
+    turned <- turned + sum(turns != 0)
+    theta[run$rows] <- run$x + 2 * pi * cumsum(turns)
+  }
+  list(theta = theta, assumed = c(if (turned) said, if (unknown) {
+    paste(
+      "in", unknown, "gaps the angle changes by more than half a turn: its turns there are",
+      "undetermined, none are added"
+    )
+  }))
+}
+
+# Of each segment the rows with an angle: `rows`, their times `t` and angles `x`; for the step to
+# each row from the one before: `long`, much longer than their median; `hidden`, there are rows
+# without an angle between; `advance`, the integral of the measured rate, NA: not measured at its
+# ends; `measured`: the rate is measured all along the step. `long` is TRUE at the first row. `from`,
+# `to`: the rows from which and up to which a time as long as the step lies before and after it.
+known_runs <- function(time, theta, segment, omega) {
+  known <- which(!is.na(theta))
+  runs <- split(known, segment[known])
+  lapply(unname(runs), function(rows) {
+    t <- time[rows]
+    h <- c(NA, diff(t))
+    long <- c(TRUE, h[-1] > 1.5 * stats::median(h[-1]))
+    rate <- list(advance = rep(NA_real_, length(t)), measured = rep(FALSE, length(t)))
+    if (!is.null(omega)) {
+      at <- which(segment == segment[rows[1]] & is.finite(omega))
+      rate <- integrate_rate(time[at], omega[at], t)
+    }
+    before <- c(t[1], t[-length(t)])
+    h[1] <- 0
+    list(
+      rows = rows, t = t, x = theta[rows], from = findInterval(before - h * (1 + 1e-9), t) + 1L,
+      to = findInterval(t + h * (1 + 1e-9), t), long = long, hidden = c(FALSE, diff(rows) > 1L),
+      advance = rate$advance, measured = rate$measured
+    )
+  })
+}
+
+# By trapezoids between the times t, from a rate at times `time`.
+integrate_rate <- function(time, rate, t) {
+  none <- list(advance = rep(NA_real_, length(t)), measured = rep(FALSE, length(t)))
+  if (length(time) < 2L) return(none)
+  at <- findInterval(t, time, rightmost.closed = TRUE)
+  inside <- at >= 1L & at < length(time)
+  at <- pmin(pmax(at, 1L), length(time) - 1L)
+  h <- diff(time)
+  slope <- ifelse(h > 0, diff(rate) / h, 0)
+  past <- t - time[at]
+  whole <- c(0, cumsum(h * (rate[-1] + rate[-length(rate)]) / 2))
+  angle <- ifelse(inside, whole[at] + past * (rate[at] + slope[at] * past / 2), NA)
+  # Holes in the rate up to the end of each step.
+  hole <- cumsum(h > 1.5 * stats::median(h))
+  until <- hole[at]
+  # A step that ends at a time of the rate does not reach into the interval after it.
+  until <- until - ifelse(past == 0, c(0, hole)[at + 1L] - c(0, hole)[at], 0)
   list(
-    theta = theta$theta, assumed = c("the angle is wrapped to one turn: unwrapped", theta$doubt)
+    advance = c(NA, diff(angle)),
+    measured = c(FALSE, is.finite(diff(angle)) & until[-1] == c(0, hole)[at[-length(at)]])
   )
 }
 
-# Against the predicted angle theta + omega h. `omega`: measured rates, or NULL. A step beyond half
-# a turn is only resolved by a measured rate. `doubt`: how often the angle is beyond a quarter turn
-# of the predicted one.
-unwrap_angle <- function(time, theta, segment, omega, call) {
-  known <- which(!is.na(theta))
+# Turns to add to the angle behind the gap before row i: by the measured rate where it is measured
+# throughout the gap, else by the rates of the angle on both sides. NA: not resolved. `x`: the
+# angle, unwrapped up to the gap.
+turns_in_gap <- function(run, i, x) {
+  step <- x[i] - x[i - 1L]
+  if (run$measured[i]) {
+    expected <- run$advance[i]
+    limit <- pi / 2
+  } else {
+    h <- run$t[i] - run$t[i - 1L]
+    before <- rates_beside(run, x, seq.int(i - 1L, min(run$from[i], i - 1L)), -1, h)
+    after <- rates_beside(run, x, seq.int(i, run$to[i]), 1, h)
+    if (is.null(before) || is.null(after)) return(NA_real_)
+    expected <- h * c(before, after)
+    limit <- pi / 3
+  }
+  turns <- -round((step - mean(expected)) / (2 * pi))
+  if (all(abs(step + 2 * pi * turns - expected) < limit)) turns else NA_real_
+}
+
+# Mean rates of the angle on one side of a gap of length h: over a time as long as the gap and over
+# its quarter next to the gap. They differ where the motion is not steady over such a time, as in a
+# swing. `rows`: from the gap on, outward. NULL: less than half of that time is without another gap.
+rates_beside <- function(run, x, rows, side, h) {
+  gap <- if (side < 0) run$long[rows] else c(run$long[rows[-1]], FALSE)
+  if (any(gap)) rows <- rows[seq_len(which(gap)[1])]
+  past <- abs(run$t[rows] - run$t[rows[1]])
+  last <- length(rows)
+  if (last < 3L || past[last] < h / 2) return(NULL)
+  change <- diff(x[rows])
+  change <- side * cumsum(c(0, change - 2 * pi * round(change / (2 * pi))))
+  quarter <- which(past >= past[last] / 4 & past > 0)[1]
+  change[c(last, quarter)] / past[c(last, quarter)]
+}
+
+# Against the predicted angle theta + omega h, with the measured rate where there is one. A step
+# beyond half a turn is only resolved by a measured rate, or in a gap by the rates on both sides.
+# `doubt`: how often the angle is beyond a quarter turn of the predicted one, and turns in gaps.
+unwrap_angle <- function(time, theta, segment, omega, call,
+                         runs = known_runs(time, theta, segment, omega)) {
   turn <- 2 * pi
   doubtful <- 0L
-  for (s in unique(segment[known])) {
-    rows <- known[segment[known] == s]
-    if (length(rows) < 2L) next
-    x <- theta[rows]
-    t <- time[rows]
-    rate <- if (is.null(omega)) NULL else omega[rows]
+  by_rate <- 0L
+  by_angle <- 0L
+  for (run in runs) {
+    x <- run$x
+    t <- run$t
     speed <- 0
     for (i in seq_along(x)[-1]) {
       h <- t[i] - t[i - 1L]
-      seen <- !is.null(rate) && is.finite(rate[i]) && is.finite(rate[i - 1L])
-      if (seen) speed <- (rate[i] + rate[i - 1L]) / 2
-      expected <- x[i - 1L] + speed * h
-      x[i] <- x[i] - turn * round((x[i] - expected) / turn)
-      if (i > 2L || seen) doubtful <- doubtful + (abs(x[i] - expected) > pi / 2)
-      if (!seen) {
-        if (abs(x[i] - x[i - 1L]) > pi) abort_aliased(t[i], call)
-        speed <- (x[i] - x[i - 1L]) / h
+      seen <- is.finite(run$advance[i])
+      turns <- if (run$long[i] && (run$measured[i] || !seen)) turns_in_gap(run, i, x) else NA_real_
+      if (!is.na(turns)) {
+        x[i] <- x[i] + turn * turns
+        beyond <- abs(x[i] - x[i - 1L]) > pi
+        if (run$measured[i]) by_rate <- by_rate + beyond else by_angle <- by_angle + beyond
+      } else {
+        expected <- x[i - 1L] + if (seen) run$advance[i] else speed * h
+        x[i] <- x[i] - turn * round((x[i] - expected) / turn)
+        if (i > 2L || seen) doubtful <- doubtful + (abs(x[i] - expected) > pi / 2)
+        if (!seen && abs(x[i] - x[i - 1L]) > pi) abort_aliased(t[i], call)
       }
+      if (h > 0) speed <- (if (seen) run$advance[i] else x[i] - x[i - 1L]) / h
     }
-    theta[rows] <- x
+    theta[run$rows] <- x
   }
-  list(theta = theta, doubt = if (doubtful) {
-    paste(
-      "in", doubtful, "steps the angle is more than a quarter turn from the predicted one: turns",
-      "may be miscounted"
-    )
-  })
+  list(theta = theta, doubt = c(
+    if (by_rate) paste("turns in", by_rate, "gaps of the angle are those of the measured rate"),
+    if (by_angle) {
+      paste("turns in", by_angle, "gaps of the angle are those of its rate before and after them")
+    },
+    if (doubtful) {
+      paste(
+        "in", doubtful, "steps the angle is more than a quarter turn from the predicted one: turns",
+        "may be miscounted"
+      )
+    }
+  ))
 }
 
 abort_aliased <- function(time, call) {

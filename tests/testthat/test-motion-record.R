@@ -341,3 +341,105 @@ test_that("positions along a line are a record for a fit", {
   expect_match(attr(both, "record")$assumed, "not used beside the rotation: \"x", all = FALSE)
   unlink(file)
 })
+
+test_that("a wrapped angle on a coarse clock is unwrapped before the mean", {
+  t <- rep(0:200 / 100, each = 2)
+  for (sign in c(1, -1)) {
+    degrees <- sign * 3.7 * seq_along(t)
+    d <- data.frame(t, th = degrees %% 360)
+    x <- motion_record(d, time_s = t, theta_deg = th)
+    expect_equal(diff(x$theta_rad), rep(sign * 7.4 * pi / 180, 200), tolerance = 1e-10)
+    expect_match(info_of(x)$assumed, "unwrapped", all = FALSE)
+    expect_match(info_of(x)$assumed, "equal times", all = FALSE)
+  }
+  # 100 degrees a row: 200 between two times of the clock.
+  d$th <- (100 * seq_along(t)) %% 360
+  x <- motion_record(d, time_s = t, theta_deg = th)
+  expect_equal(diff(x$theta_rad), rep(200 * pi / 180, 200), tolerance = 1e-10)
+  # 200 degrees a row, resolved by the rate.
+  d$th <- (200 * seq_along(t)) %% 360
+  d$rate <- 200 / 0.005
+  x <- motion_record(d, time_s = t, theta_deg = th, omega_deg_per_s = rate)
+  expect_equal(diff(x$theta_rad), rep(400 * pi / 180, 200), tolerance = 1e-10)
+  # A mark: the angle of each row.
+  a <- 3.7 * pi / 180 * seq_along(t)
+  d <- data.frame(t, x = cos(a), y = sin(a))
+  x <- motion_record(d, time_s = t, x_m = x, y_m = y)
+  expect_equal(info_of(x)$centre$radius_m, 1, tolerance = 1e-12)
+  expect_equal(diff(x$theta_rad), rep(7.4 * pi / 180, 200), tolerance = 1e-10)
+  # Groups of different sizes, two runs.
+  t <- c(0, 0, 1, 1, 1, 2, 2, 3, 0, 1, 1, 2, 2)
+  run <- rep(1:2, c(8, 5))
+  a <- 2.5 * seq_along(t)
+  x <- motion_record(data.frame(t, a = a %% (2 * pi), run), time_s = t, theta_rad = a,
+    segment = run)
+  mean <- c(1.5, 4, 6.5, 8, 9, 10.5, 12.5) * 2.5
+  expect_equal(tapply(x$theta_rad - mean, x$segment, function(e) diff(range(e))), c(0, 0),
+    tolerance = 1e-10, ignore_attr = TRUE)
+})
+
+test_that("a wrap in a gap of the angle is found by the measured rate", {
+  t <- 0:120 / 20
+  hidden <- function(a, rows) replace(a %% (2 * pi), rows, NA)
+  wrap <- which(diff((2 * t) %% (2 * pi)) < 0)
+  x <- motion_record(
+    data.frame(time_s = t, theta_rad = hidden(2 * t, c(wrap, wrap + 1)), omega_rad_per_s = 2)
+  )
+  expect_equal(x$theta_rad, replace(2 * t, c(wrap, wrap + 1), NA))
+  expect_match(info_of(x)$assumed, "unwrapped", all = FALSE)
+  # More than a turn is hidden, the rate changes.
+  a <- 2 * t + t^2 / 2
+  x <- motion_record(
+    data.frame(time_s = t, theta_rad = hidden(a, 30:80), omega_rad_per_s = 2 + t)
+  )
+  expect_equal(x$theta_rad, replace(a, 30:80, NA))
+  expect_match(info_of(x)$assumed, "turns in 1 gaps .* measured rate", all = FALSE)
+  # A rate that is missing in the gap, too, is not interpolated: the swing has no wrap.
+  a <- 1 + 0.9 * sin(2 * pi * t / 2)
+  d <- data.frame(time_s = t, theta_rad = a, omega_rad_per_s = 0.9 * pi * cos(pi * t), x_m = 0)
+  d[41:81, 2:3] <- NA
+  x <- motion_record(d, time_s = time_s, theta_rad = theta_rad, omega_rad_per_s = omega_rad_per_s,
+    x_m = x_m)
+  expect_identical(x$theta_rad, d$theta_rad)
+  # Angle and rate in alternate rows.
+  d <- data.frame(time_s = t, theta_rad = (2 * t) %% (2 * pi), omega_rad_per_s = 2)
+  d$theta_rad[c(FALSE, TRUE)] <- NA
+  d$omega_rad_per_s[c(TRUE, FALSE)] <- NA
+  x <- motion_record(d)
+  expect_equal(x$theta_rad[c(TRUE, FALSE)], (2 * t)[c(TRUE, FALSE)])
+})
+
+test_that("without a rate the angle's own rate before and after a gap decides, or nothing does", {
+  t <- 0:120 / 20
+  # Rows that have a pulse have no gap in the record where the angle is missing.
+  record <- function(a, rows) {
+    d <- data.frame(t, a = replace(a, rows, NA), k = seq_along(t))
+    motion_record(d, time_s = t, theta_rad = a, pulses = k)
+  }
+  wrap <- which(diff((2 * t) %% (2 * pi)) < 0)
+  x <- record((2 * t) %% (2 * pi), c(wrap, wrap + 1))
+  expect_equal(x$theta_rad, replace(2 * t, c(wrap, wrap + 1), NA))
+  expect_match(info_of(x)$assumed, "unwrapped", all = FALSE)
+  # Four radians in a gap, and wraps elsewhere.
+  for (sign in c(1, -1)) {
+    x <- record((sign * 4 * t) %% (2 * pi), 50:69)
+    got <- x$theta_rad - x$theta_rad[1]
+    expect_equal(got, replace(sign * 4 * t, 50:69, NA))
+    expect_match(info_of(x)$assumed, "turns in 1 gaps .* before and after", all = FALSE)
+  }
+  # Two different rates: nothing is added, and it is said.
+  a <- ifelse(t < 2, t, 6.2 - (6 - t) / 10)
+  x <- record(a, 41:50)
+  expect_identical(x$theta_rad, replace(a, 41:50, NA))
+  expect_match(info_of(x)$assumed, "undetermined", all = FALSE)
+  # Swings within one turn stay, wherever the gap is.
+  for (amplitude in c(1, 1.5, 3)) {
+    for (first in 1:60) {
+      for (length in c(5, 10, 20, 40)) {
+        a <- amplitude * sin(2 * pi * t / 1.5)
+        rows <- first + seq_len(length)
+        expect_identical(record(a, rows)$theta_rad, replace(a, rows, NA))
+      }
+    }
+  }
+})
