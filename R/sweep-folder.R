@@ -1,5 +1,6 @@
 # The folder of a sweep: run.json says what it is, rows/ and sums/ have a part for each chunk, work/
-# has files that are being written. A chunk is done when its part is in sums/: no list is kept.
+# has files that are being written. A chunk is done when its parts are there and whole: there is no
+# list.
 
 sweep_format <- 1
 
@@ -491,18 +492,18 @@ read_rows_part <- function(folder, chunk, about) {
   if (!is.null(rows) && columns_hash(rows) == about$rotdyn_rows_hash) rows
 }
 
-# Chunks that are committed, by the names of their parts alone.
-committed_chunks <- function(plan, folder) {
+# Chunks that are done: their part of sums/ can be used, and so can that of rows/, where the plan
+# has rows.
+done_chunks <- function(plan, folder) {
   chunks <- chunk_of_part(dir(file.path(folder, "sums")))
-  sort(chunks[chunks >= 1 & chunks <= n_chunks(plan)])
+  chunks <- sort(chunks[chunks >= 1 & chunks <= n_chunks(plan)])
+  chunks[vapply(chunks, function(chunk) !is.null(read_sums_part(plan, folder, chunk)), NA)]
 }
 
-# Chunks to compute: those without parts, or with parts that cannot be used, which stay until the
-# new ones take their names. Nothing is removed on the word of a reader that may have failed itself.
+# Chunks to compute: all others. Parts that cannot be used stay until the new ones take their names.
+# Nothing is removed on the word of a reader that may have failed itself.
 chunks_to_do <- function(plan, folder) {
-  done <- committed_chunks(plan, folder)
-  whole <- vapply(done, function(chunk) !is.null(read_sums_part(plan, folder, chunk)), NA)
-  setdiff(as.double(seq_len(n_chunks(plan))), done[whole])
+  setdiff(as.double(seq_len(n_chunks(plan))), done_chunks(plan, folder))
 }
 
 # ---- the canary ---------------------------------------------------------------------------------

@@ -8,10 +8,11 @@
 #' array jobs and other schedulers call. `sweep_todo()` lists the chunks to compute.
 #'
 #' A folder has `run.json` (what the sweep is), `rows/` and `sums/` with a part for each chunk, and
-#' `work/` with files that are being written. A part gets its name when it is whole: a chunk is done
-#' if its part is in `sums/`. Any number of processes may compute chunks of one folder at a time; a
-#' chunk computed twice has the same bits. Rows are Parquet files, read by DuckDB, arrow and
-#' \pkg{nanoparquet}.
+#' `work/` with files that are being written. A part gets its name when it is whole. A chunk is done
+#' if its part is in `sums/` and, unless the plan keeps only the summary, the part in `rows/` that
+#' belongs to it; a part that is cut or damaged does not count. Any number of processes may compute
+#' chunks of one folder at a time; a chunk computed twice has the same bits. Rows are Parquet files,
+#' read by DuckDB, arrow and \pkg{nanoparquet}.
 #'
 #' Chunks are given to the daemons of \pkg{mirai} where you have set some (`mirai::daemons(2)`, on
 #' this machine or on others), and only then. Rows do not depend on the number of threads, daemons
@@ -153,8 +154,9 @@ sweep_todo <- function(folder, ...) {
 sweep_status <- function(folder, ...) {
   call <- check_no_dots(...)
   check_supplied("folder", call)
+  need_package("nanoparquet", "Reading a sweep", call)
   plan <- read_plan(folder, call)
-  done <- committed_chunks(plan, folder)
+  done <- done_chunks(plan, folder)
   rows <- sum(vapply(done, function(chunk) chunk_range(plan, chunk)[2], double(1)))
   left <- (plan$n - rows) * plan$row_s
   owner <- read_owner(folder)
@@ -272,7 +274,7 @@ complete_folder <- function(plan, folder, threads, compute, call) {
 telling_how_far <- function(plan, folder, code) {
   withCallingHandlers(code, interrupt = function(e) {
     inform_quickly(c(
-      paste0(length(committed_chunks(plan, folder)), " of ", n_chunks(plan), " chunks are done."),
+      paste0(length(done_chunks(plan, folder)), " of ", n_chunks(plan), " chunks are done."),
       paste0("sweep_resume(\"", folder, "\") goes on.")
     ), "sweep")
   })

@@ -400,3 +400,40 @@ test_that("the bar of a sweep goes through its chunks, from 0 to 1", {
   expect_equal(rotdyn:::run_here(NULL, NULL, c(3, 1), 1, NULL), list(3, 1))
   expect_equal(seen, c(0, 0.25, 0.5, 0.5, 0.75, 1))
 })
+
+test_that("status, todo and read agree on which chunks are done", {
+  need_folders()
+  plan <- function(keep) {
+    plan <- sweep_plan(wheel, 60, rows_of(omega0_rad_per_s = 1:600 / 20), keep = keep)
+    plan$block_rows <- plan$chunk_rows <- 2^8
+    plan
+  }
+  done <- function(folder) {
+    as.double(c(sweep_status(folder)$chunks_done, length(sweep_todo(folder))))
+  }
+  for (keep in list("rows", ~ omega0_rad_per_s > 29)) {
+    folder <- tempfile("sweep-")
+    sweep_run(plan(keep), folder)
+    expect_identical(done(folder), c(3, 0))
+    rows <- file.path(folder, "rows", part_name(1:3))
+    unlink(rows[2])
+    expect_identical(done(folder), c(2, 1))
+    expect_identical(sweep_status(folder)$rows_done, 344)
+    writeLines("cut", rows[3])
+    expect_identical(done(folder), c(1, 2))
+    expect_error(sweep_read(folder), "2 of 3 chunks", class = "rotdyn_error_file")
+    sweep_resume(folder)
+    expect_identical(done(folder), c(3, 0))
+    writeLines("cut", file.path(folder, "sums", part_name(1)))
+    expect_identical(done(folder), c(2, 1))
+    unlink(folder, recursive = TRUE)
+  }
+  # A summary has no rows, and is done without.
+  folder <- tempfile("sweep-")
+  sweep_run(plan("summary"), folder)
+  unlink(file.path(folder, "rows"), recursive = TRUE)
+  expect_identical(done(folder), c(3, 0))
+  expect_identical(sweep_status(folder)$rows_done, 600)
+  expect_identical(nrow(sweep_read(folder)), 0L)
+  unlink(folder, recursive = TRUE)
+})
