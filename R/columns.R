@@ -309,6 +309,8 @@ column_list <- list(
   c("unknown", "", "path of the unknown, or offset, factor, clock of an observed column"),
   c("loss", "", "Coulomb, viscous or quadratic loss, or what else was fitted"),
   c("standard_error", "", "standard error of the fit without bounds"),
+  c("candidate", "", "name of a record that may be measured"),
+  c("planned_error", "", "standard error that a fit with one more record would have"),
   c("lower", "", "lower end of the interval"),
   c("upper", "", "upper end of the interval"),
   c("status", "", "what the record shows: acts, at most, not separable from ..."),
@@ -613,6 +615,9 @@ columns_read <- new.env(parent = emptyenv())
 # For the help pages: an itemized list of columns. `meanings`: those of this page, by name.
 describe_columns <- function(names, meanings = NULL) {
   table <- column_table()
+  unknown <- setdiff(names, table$name)
+  # Else the page would say NA.
+  if (length(unknown)) stop("not in the dictionary of columns: ", toString(unknown))
   rows <- table[match(names, table$name), ]
   meanings <- meanings[names(meanings) %in% rows$name]
   rows$meaning[match(names(meanings), rows$name)] <- meanings

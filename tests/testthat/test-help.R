@@ -135,3 +135,14 @@ test_that("the site's index has every page, once", {
   expect_identical(listed[duplicated(listed)], character())
   expect_setequal(listed, sub("[.]Rd$", "", names(help_pages())))
 })
+
+test_that("every column that a page describes is in the dictionary", {
+  pages <- help_pages()
+  for (name in names(pages)) {
+    text <- paste(unlist(pages[[name]]), collapse = "")
+    expect_false(grepl("NA (NA)", text, fixed = TRUE), info = name)
+  }
+  expect_error(describe_columns(c("time_s", "no_column")), "no_column")
+  text <- describe_columns(design_columns, design_meanings)
+  for (column in design_columns) expect_match(text, paste0("code{", column, "}"), fixed = TRUE)
+})
