@@ -1,9 +1,9 @@
 #' A measured number with its standard uncertainty
 #'
 #' `measured()` makes a number with a standard uncertainty, its degrees of freedom and an identity:
-#' the same object used twice, in one calculation or in several, is one quantity. Sums, products,
-#' powers and elementary functions of such numbers are such numbers, to first order; what two of
-#' them have in common stays common, so that `x - x` is exactly 0.
+#' the same object used twice, in one calculation or in several, is one quantity. Sums (`+` and
+#' `sum()`), products, powers and elementary functions of such numbers are such numbers, to first
+#' order; what two of them have in common stays common, so that `x - x` is exactly 0.
 #' \deqn{u^2(y) = \sum_i \sum_j \frac{\partial f}{\partial x_i} \frac{\partial f}{\partial x_j}
 #'   u(x_i)\, u(x_j)\, r_{ij}}{u^2(y) = sum_ij df/dx_i df/dx_j u(x_i) u(x_j) r_ij}
 #'
@@ -17,7 +17,9 @@
 #' @param dof Degrees of freedom of `u`, above 0; Inf where it is not from readings.
 #' @param name Name in budgets; by default the expression given.
 #' @param x,e1,e2 Measured numbers.
-#' @param ... For `print()` and `as.double()`: not used. For `c()`: measured numbers.
+#' @param ... For `print()` and `as.double()`: not used. For `c()` and `sum()`: measured numbers and
+#'   plain ones; the first is measured.
+#' @param na.rm Not used: no measured number is missing.
 #' @param digits For `format()`: digits of the uncertainty.
 #' @return `measured()`: an object of class `rot_measured`, a list with `value`, `u`, `dof`, `name`
 #'   and `parts`, the independent contributions by identity; of a fit a list of them, by the names
@@ -304,6 +306,22 @@ Math.rot_measured <- function(x, ...) {
   )
   x$parts$u <- x$parts$u * slope
   combine_parts(get(.Generic)(v), x$parts, paste0(.Generic, "(", x$name, ")"), call)
+}
+
+#' @rdname measured
+#' @export
+Summary.rot_measured <- function(..., na.rm = FALSE) {
+  call <- current_env()
+  if (.Generic != "sum") abort_operator(.Generic, call)
+  given <- list(...)
+  terms <- lapply(given, as_measured, "...", "1", call)
+  label <- vapply(given, function(x) {
+    if (inherits(x, "rot_measured")) x$name else format(as.double(x))
+  }, "")
+  combine_parts(
+    sum(vapply(terms, `[[`, 0, "value")), do.call(rbind, lapply(terms, `[[`, "parts")),
+    paste(label, collapse = " + "), call
+  )
 }
 
 combine_parts <- function(value, parts, name, call) {

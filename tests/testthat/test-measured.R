@@ -133,3 +133,32 @@ test_that("a result is named after its parts", {
   expect_identical((a - 1)$name, "a - 1")
   expect_identical((2 * b)$name, "2 * b")
 })
+
+test_that("sum() is that of `+`; other summaries are refused", {
+  a <- measured(3, 0.1, dof = 5)
+  b <- measured(2, 0.2)
+  c <- a * b
+  parts <- function(x) {
+    part <- x$parts[order(x$parts$id), ]
+    rownames(part) <- NULL
+    part
+  }
+  for (pair in list(
+    list(sum(a, b), a + b), list(sum(a, b, c), a + b + c), list(sum(a, a), a + a),
+    list(sum(a), +a), list(sum(a, 1.5, b), a + 1.5 + b), list(sum(a, -a), a + -a)
+  )) {
+    expect_s3_class(pair[[1]], "rot_measured")
+    for (name in c("value", "u", "dof")) expect_equal(pair[[1]][[name]], pair[[2]][[name]])
+    expect_equal(parts(pair[[1]]), parts(pair[[2]]))
+  }
+  expect_identical(sum(a, b)$name, (a + b)$name)
+  expect_equal(sum(a, a)$u, 0.2)
+  expect_identical(sum(a, -a)$u, 0)
+  expect_identical(sum(a, b, na.rm = TRUE)$value, 5)
+  expect_error(sum(a, "1"), class = "rotdyn_error_type")
+  expect_error(sum(a, NA), class = "rotdyn_error")
+  expect_error(sum(a, 1:3), class = "rotdyn_error")
+  for (verb in list(max, min, range, prod, any, all)) {
+    expect_error(verb(a, b), "not defined", class = "rotdyn_error_type")
+  }
+})
