@@ -69,8 +69,8 @@
 #' @param resistance A [resistance()], for the torque that is applied besides it. It needs an
 #'   inertia.
 #' @param breaks `"find"`, `"none"`, or the times of known breaks in s, with names `impact` (omega
-#'   jumps), `switch` (its derivative jumps) or `ramp` (the derivative of that does) where that is
-#'   known.
+#'   jumps), `switch` or `stop` (its derivative jumps) or `ramp` (the derivative of that does) where
+#'   that is known.
 #' @param ... Not used: an unknown argument is an error.
 #' @param outliers `"find"` or `"none"`.
 #' @param order The order p of the process, 3, 4 or 5, or NULL: chosen.

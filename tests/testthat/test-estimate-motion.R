@@ -548,3 +548,17 @@ test_that("an angle and a rate that contradict each other are flagged", {
   expect_no_warning(motion <- estimate_motion(record(1.03, 0.01), breaks = "none"))
   expect_false("Contradiction" %in% names(tibble::tbl_sum(motion)))
 })
+
+test_that("the help names every kind of break that is taken", {
+  record <- data.frame(time_s = 0:60 / 10, theta_rad = sin(0:60 / 10))
+  error <- expect_error(
+    estimate_motion(record, breaks = c(bang = 1)), class = "rotdyn_error_value"
+  )
+  kinds <- c("impact", "switch", "stop", "ramp")
+  for (kind in kinds) expect_match(conditionMessage(error), kind)
+  page <- file.path(Sys.getenv("ROTDYN_ROOT", file.path("..", "..")), "man", "estimate_motion.Rd")
+  skip_if_not(file.exists(page))
+  text <- paste(readLines(page), collapse = " ")
+  described <- regmatches(text, regexpr("item[{]breaks[}].*?known[.][}]", text, perl = TRUE))
+  for (kind in kinds) expect_match(described, paste0("code{", kind, "}"), fixed = TRUE)
+})
