@@ -279,6 +279,12 @@ augment.rot_fit <- function(x, ...) {
 }
 
 #' @export
+summary.rot_fit <- function(object, ...) {
+  check_no_dots(...)
+  glance(object)
+}
+
+#' @export
 glance.rot_fit <- function(x, ...) {
   call <- check_no_dots(...)
   fit <- fit_of(x, call)

@@ -64,8 +64,8 @@
 #' @param accuracy Of the motions, as in [trajectory()].
 #' @return A tibble of class `rot_fit` with a row for each unknown and the columns
 #'   `r describe_columns(fit_columns, fit_meanings)`
-#'   `augment()` gives the records with the fitted motion, `glance()` one row, [predict()] the
-#'   motion at any time, [as_scene()] the scene, [vcov()], [coef()], [confint()] and
+#'   `augment()` gives the records with the fitted motion, `glance()` and `summary()` one row,
+#'   [predict()] the motion at any time, [as_scene()] the scene, [vcov()], [coef()], [confint()] and
 #'   [residuals()][fit_verbs] what they are elsewhere.
 #' @section Errors: `rotdyn_error_argument` for an unknown that is no input, is derived, or is there
 #'   twice, and for a column that the motion lacks; `rotdyn_error_value` for a start outside the

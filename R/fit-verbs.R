@@ -3,18 +3,22 @@
 
 #' The verbs of R's own fits
 #'
-#' `coef()`, `confint()`, `residuals()`, `fitted()`, `nobs()` and `df.residual()` of a [fit_scene()],
-#' a [fit_coast_down()] or a [fit_swing()], as of [stats::nls()].
+#' `coef()`, `confint()`, `residuals()`, `fitted()`, `nobs()`, `sigma()` and `df.residual()` of a
+#' [fit_scene()], a [fit_coast_down()] or a [fit_swing()], as of [stats::nls()].
 #'
 #' @param object The fit.
 #' @param parm Unknowns by name or number; NULL: all.
 #' @param level Probability of the intervals. NULL: that of the fit; of a swing 0.95. A fit whose
 #'   intervals are made with it takes no other.
+#' @param use.fallback Not used: the argument of [stats::nobs()].
 #' @param ... Not used: an unknown argument is an error.
 #' @return `coef()`: numbers with names, in SI units. `confint()`: a matrix with a row for each and
 #'   the columns `lower` and `upper`. `residuals()` (data less fit) and `fitted()`: numbers, one for
 #'   each sample in the order of `augment()`; residuals of pulses are times. `nobs()`: the number of
-#'   samples; `df.residual()`: the degrees of freedom of the noise.
+#'   samples; `df.residual()`: the degrees of freedom of the noise. `sigma()`: the standard
+#'   deviation of the residuals in the unit measured, as `glance()` or the print gives it: NA for a
+#'   swing that no free motion fitted; of a [fit_scene()] with several columns or records one for
+#'   each, with names.
 #' @section Errors: `rotdyn_error_argument` for an unknown argument, unknown or another level,
 #'   `rotdyn_error_value` where no free motion fitted a swing and for a level outside 0 to 1.
 #' @seealso [fit_scene()] with `vcov()` and [profile()], [fit_coast_down()], [fit_swing()];
@@ -31,6 +35,7 @@
 #' confint(fit)
 #' sd(residuals(fit))
 #' nobs(fit)
+#' sigma(fit)
 #' @name fit_verbs
 NULL
 
@@ -62,7 +67,10 @@ fitted.rot_swing_fit <- fitted.rot_fit
 #' @rdname fit_verbs
 #' @importFrom stats nobs
 #' @export
-nobs.rot_fit <- fit_column(glance, "samples")
+nobs.rot_fit <- function(object, use.fallback = FALSE, ...) {
+  check_no_dots(...)
+  glance(object)$samples
+}
 #' @export
 nobs.rot_coast_fit <- nobs.rot_fit
 #' @export
@@ -75,6 +83,22 @@ df.residual.rot_fit <- fit_column(glance, "dof")
 df.residual.rot_coast_fit <- df.residual.rot_fit
 #' @export
 df.residual.rot_swing_fit <- df.residual.rot_fit
+
+# As the print names it; a number alone where one column of one record was fitted.
+#' @rdname fit_verbs
+#' @importFrom stats sigma
+#' @export
+sigma.rot_fit <- function(object, ...) {
+  call <- check_no_dots(...)
+  noise <- noise_table(fit_of(object, call, "object"))
+  if (nrow(noise) == 1L) return(noise$sigma)
+  several <- length(unique(noise$record)) > 1L
+  stats::setNames(noise$sigma, paste0(noise$column, if (several) paste0(" (", noise$record, ")")))
+}
+#' @export
+sigma.rot_coast_fit <- fit_column(glance, "sigma")
+#' @export
+sigma.rot_swing_fit <- fit_column(glance, "residual")
 
 #' @export
 coef.rot_coast_fit <- function(object, ...) {

@@ -58,3 +58,29 @@ test_that("a swing's intervals are Student's, at any level", {
   expect_error(confint(pendulum, level = 1), class = "rotdyn_error_value")
   expect_error(confint(pendulum, "coulomb_rad_per_s2"), class = "rotdyn_error_argument")
 })
+
+test_that("sigma() is the standard deviation of the residuals", {
+  expect_identical(sigma(coast), generics::glance(coast)$sigma)
+  expect_identical(sigma(pendulum), pendulum$residual)
+  expect_equal(sigma(whole), sqrt(sum(residuals(whole)^2) / 79), tolerance = 1e-6)
+  for (fit in fits) {
+    expect_equal(sigma(fit), stats::sd(residuals(fit)), tolerance = 0.05)
+    expect_identical(nobs(fit, use.fallback = TRUE), nobs(fit))
+    expect_error(sigma(fit, 1), class = "rotdyn_error_argument")
+    expect_error(nobs(fit, TRUE, 1), class = "rotdyn_error_argument")
+  }
+  both <- trajectory(wheel, 0:80 / 20)[c("time_s", "theta_rad", "omega_rad_per_s")]
+  both$theta_rad <- samples$theta_rad
+  both$omega_rad_per_s <- both$omega_rad_per_s + 1e-2 * sin(2e4 * both$time_s)
+  unknown <- c("resistance$viscous_n_m_s", "omega0_rad_per_s")
+  expect_named(sigma(fit_scene(wheel, both, unknown)), c("theta_rad", "omega_rad_per_s"))
+  two <- fit_scene(wheel, list(a = samples, b = samples), unknown)
+  expect_named(sigma(two), c("theta_rad (a)", "theta_rad (b)"))
+})
+
+test_that("the summary of each fit is its row of glance()", {
+  for (fit in fits) {
+    expect_identical(summary(fit), generics::glance(fit))
+    expect_error(summary(fit, 1), class = "rotdyn_error_argument")
+  }
+})
