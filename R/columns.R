@@ -45,7 +45,7 @@ column_list <- list(
   c("final_omega_2_rad_per_s", "rad/s", "angular velocity of body 2 at the end"),
   c(
     "potential_energy_j", "J",
-    "energy stored in springs and height, 0 at the rest angle; on an incline 0 at x = 0"
+    "energy of springs and height: 0 at the rest angle, the pivot of a body, or x = 0"
   ),
   c("period_s", "s", "time after which the motion repeats, or of a cycle"),
   c("amplitude_rad", "rad", "largest angle from the rest angle"),
@@ -198,8 +198,8 @@ column_list <- list(
   c("critical_angle_deg", "degree", "steepest angle at which it rolls"),
   c("from_rest", "", "what the body does from rest: \"rolls\", \"slides\", \"rests\""),
   c("final_v_m_per_s", "m/s", "velocity at the end"),
-  c("vx_m_per_s", "m/s", "velocity along the floor, after"),
-  c("vy_m_per_s", "m/s", "velocity away from the floor, after"),
+  c("vx_m_per_s", "m/s", "velocity along x; along the floor, after"),
+  c("vy_m_per_s", "m/s", "velocity along y; away from the floor, after"),
   c("normal_impulse_n_s", "N s", "impulse of the contact along its normal"),
   c("friction_impulse_n_s", "N s", "impulse of friction, on a floor along it"),
   c("normal_loss_j", "J", "energy lost by the restitution"),

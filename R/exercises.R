@@ -125,13 +125,10 @@ exercise_meta <- function(file) {
 #'
 #' | `to` | files in `dir` | what they are |
 #' |---|---|---|
-#' | `"html"` | `<name>1.html`, `<name>-solutions1.html`, ... | a page for each version, without and
-#' with solutions; formulas in MathML, no scripts |
+#' | `"html"` | `<name>1.html`, `<name>-solutions1.html`, ... | a page for each version; MathML |
 #' | `"pdf"` | `<name>1.pdf`, `<name>-solutions1.pdf`, ... | the same on paper; needs LaTeX |
-#' | `"moodle"` | `<name>.xml` | a question bank of Moodle, with solutions as general feedback; `n`
-#' variants of each question |
-#' | `"canvas"` | `<name>.zip` | a quiz of Canvas (QTI 1.2), which draws one of `n` variants of each
-#' question |
+#' | `"moodle"` | `<name>.xml` | question bank of Moodle: `n` variants, solutions as feedback |
+#' | `"canvas"` | `<name>.zip` | quiz of Canvas (QTI 1.2), which draws one of `n` variants |
 #'
 #' Each set has a key, `<name>-key.csv`: the table that is returned. The same seed gives the same
 #' numbers, whatever `to` is. The random numbers of the session are left as they were.

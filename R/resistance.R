@@ -12,10 +12,10 @@
 #'
 #' | scene | terms |
 #' |---|---|
-#' | [scene_axle()], [scene_pendulum()], [scene_hanging_mass()], [scene_drive()] | `viscous_n_m_s`,
-#' `quadratic_n_m_s2`, `coulomb_n_m`, `static_n_m` |
-#' | [scene_rotors()], [scene_gears()], [scene_clutch()] | the same; all but the viscous one make a
-#' drive of them |
+#' | [scene_axle()] | `viscous_n_m_s`, `quadratic_n_m_s2`, `coulomb_n_m`, `static_n_m` |
+#' | [scene_pendulum()], [scene_hanging_mass()], [scene_drive()] | those of an axle |
+#' | [scene_rotors()], [scene_gears()], [scene_clutch()] | those of an axle (as a drive) |
+#' | [scene_hoop()] | `drag_n_s_per_m` |
 #' | [scene_chain()] | `viscous_n_m_s`, of the joints |
 #' | [scene_free()], [scene_pivot()] | `damping_per_s` |
 #' | [scene_incline()] | `drag_n_s_per_m`, `drag_n_s2_per_m2` |

@@ -157,7 +157,7 @@ rolling_objects <- function() {
 #' |---|---|
 #' | `rolling_acceleration()` | `g sin(angle)/(1 + beta)`, m/s^2 |
 #' | `rolling_final_speed()` | `sqrt(2 g h/(1 + beta))`, m/s |
-#' | `rolling_friction_coefficient()` | `tan\|angle\| beta/(1 + beta)`, the least for rolling |
+#' | `rolling_friction_coefficient()` | `beta/(1 + beta)` times the tangent of the angle's size, the least for rolling |
 #'
 #' @param body A round body such as [body_sphere()], a list of bodies, names of shapes such as
 #'   `"hoop"`, or numbers: `beta = I/(m r^2)`, at least 0, where Inf takes the limit.

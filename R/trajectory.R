@@ -4,7 +4,8 @@
 #' and computes the motion in C. The result carries its model, its error and its [audit()].
 #'
 #' @param scene A scene: [scene_axle()], [scene_pendulum()], [scene_rotors()], [scene_clutch()],
-#'   [scene_drive()], [scene_incline()], [scene_free()], [scene_pivot()], or [scene_equations()].
+#'   [scene_drive()], [scene_gears()], [scene_hanging_mass()], [scene_hoop()], [scene_chain()],
+#'   [scene_incline()], [scene_free()], [scene_pivot()], or [scene_equations()].
 #' @param time_s Output times in s, finite and not decreasing (repeated ones give repeated rows;
 #'   none gives no row). They need not contain the scene's `start_s`; earlier times are reached
 #'   backwards.

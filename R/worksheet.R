@@ -10,10 +10,8 @@ worksheet_column_words <- list(c("points", "1", "points of a question"))
 #'
 #' | `to` | files in `dir` | what they are |
 #' |---|---|---|
-#' | `"html"` | `<lesson>-sheet.html`, `<lesson>-key.html` | pages to print from a browser on A4,
-#' without scripts; formulas in MathML |
-#' | `"markdown"` | `<lesson>-sheet.md`, `<lesson>-key.md` | the same as Pandoc's Markdown, to edit;
-#' pandoc is not needed |
+#' | `"html"` | `<lesson>-sheet.html`, `<lesson>-key.html` | pages for A4, MathML |
+#' | `"markdown"` | `<lesson>-sheet.md`, `<lesson>-key.md` | the same to edit, for Pandoc |
 #'
 #' With `n` versions the files are `<lesson>-sheet-1.html`, `<lesson>-key-1.html`, and so on. The
 #' same seed gives the same sheets and keys, with the numbers of [write_exercises()] for the same
