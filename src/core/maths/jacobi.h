@@ -24,8 +24,8 @@ void rot_jacobi_begin_far(rot_dd root, double halvings, rot_jacobi *out);
  * distance from the nearer of 0 and K, and eps = 2^-53. */
 void rot_jacobi_at(const rot_jacobi *jacobi, rot_dd u, double *sn, double *cn, double *dn);
 
-/* Subtracts the nearest multiple of 2K from u; returns the multiple, rounded. *quarter: the multiple
- * modulo 4, 0 to 3, exact also where a double does not hold the multiple. */
+/* Subtracts the nearest multiple of 2K from u; returns the multiple, rounded. *quarter: the
+ * multiple modulo 4, 0 to 3, exact also where a double does not hold the multiple. */
 double rot_jacobi_reduce(const rot_jacobi *jacobi, rot_dd *u, int *quarter);
 
 /* x, y, z >= 0, at most one of them 0 => Carlson's R_F */
