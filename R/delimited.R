@@ -81,15 +81,17 @@ split_cells <- function(lines, separator) {
   out
 }
 
-is_number_cell <- function(cells, decimal) {
-  if (decimal == ",") {
-    cells <- ifelse(grepl(".", cells, fixed = TRUE), "x", sub(",", ".", cells, fixed = TRUE))
-  }
-  grepl(number_pattern, cells)
+# Cells with a decimal point. Where the decimal mark is a comma, a point may separate thousands or
+# be a decimal point: such a cell is no number.
+with_points <- function(cells, decimal) {
+  if (decimal == ".") return(cells)
+  ifelse(grepl(".", cells, fixed = TRUE), "x", sub(",", ".", cells, fixed = TRUE))
 }
 
+is_number_cell <- function(cells, decimal) grepl(number_pattern, with_points(cells, decimal))
+
 cell_numbers <- function(cells, decimal) {
-  if (decimal == ",") cells <- sub(",", ".", cells, fixed = TRUE)
+  cells <- with_points(cells, decimal)
   out <- rep(NA_real_, length(cells))
   fine <- grepl(number_pattern, cells)
   out[fine] <- as.numeric(cells[fine])
@@ -263,10 +265,14 @@ record_from_table <- function(table, call, file, source, axis = NULL, notes = ch
       paste0(
         "Column \"", table$headings[odd[which.max(table$odd[odd])]], "\" has cells that are no ",
         "number."
-      ), file, call
+      ), file, call,
+      if (identical(table$dialect$decimal, ",")) {
+        "The decimal mark is a comma: a number with a point, as {.val 1.600}, may be 1600 or 1.6.
+         Write it without the point."
+      }
     )
   }
-  if (length(odd)) notes <- c(notes, paste(sum(table$odd[odd]), "cells are no number: missing"))
+  if (length(odd)) notes <- c(notes, missing_note(sum(table$odd[odd])))
   if (!is.null(segment)) record$segment <- list(value = segment, heading = "run", arg = "segment")
   omega <- record$omega_rad_per_s$value
   if (!is.matrix(omega)) axis <- NULL
@@ -281,6 +287,10 @@ record_from_table <- function(table, call, file, source, axis = NULL, notes = ch
     axis = axis, source = source, notes = notes,
     breaks = breaks, dropped = table$dropped, ...
   )
+}
+
+missing_note <- function(n) {
+  paste(n, if (n == 1L) "cell is" else "cells are", "no number: missing")
 }
 
 quote_all <- function(x) toString(encodeString(x, quote = "\""))

@@ -152,7 +152,7 @@ runs_record <- function(tables, run, source, file, call) {
   n <- length(columns$time_s$value)
   if (sum(bad) > n / 10) abort_file("It has cells that are no number.", file, call)
   notes <- unique(unlist(lapply(picked, `[[`, "notes")))
-  if (sum(bad)) notes <- c(notes, paste(sum(bad), "cells are no number: missing"))
+  if (sum(bad)) notes <- c(notes, missing_note(sum(bad)))
   if (length(tables) > 1L) {
     columns$segment <- list(
       value = rep(names(tables), lengths(filled)), heading = "run", arg = "segment"

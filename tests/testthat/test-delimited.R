@@ -116,3 +116,20 @@ test_that("places along two axes are both taken, in metres", {
   expect_equal(r$x_m, 0.03 * t)
   expect_equal(r$y_m, 0.4 - 4.9 * t^2)
 })
+
+test_that("a cell with a point among decimal commas is no number", {
+  t <- 0:40 / 2
+  turned <- sprintf("%d", 40 * 0:40)
+  lines <- paste(gsub(".", ",", sprintf("%.1f", t), fixed = TRUE), turned, sep = ";")
+  lines[41] <- "20,0;1.600"
+  r <- read_motion(text_file(c("Zeit (s);Winkel (deg)", lines)))
+  expect_equal(r$theta_rad, 40 * 0:39 * pi / 180)
+  info <- attr(r, "record")
+  expect_equal(info$dropped$row, 41)
+  expect_match(info$assumed, "1 cell is no number", all = FALSE)
+  for (k in 27:41) lines[k] <- sub(";1", ";1.", lines[k], fixed = TRUE)
+  error <- expect_error(
+    read_motion(text_file(c("Zeit (s);Winkel (deg)", lines))), class = "rotdyn_error_file"
+  )
+  expect_match(conditionMessage(error), "1600 or 1.6", fixed = TRUE)
+})
