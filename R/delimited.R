@@ -334,10 +334,12 @@ table_columns <- function(table, heads, file, call) {
   if (table$headings[time] == clock_heading) {
     notes <- c(notes, "times of day: seconds since the first row")
   }
-  # Date stamps have too many digits to be differences.
-  first <- columns$time_s$value[!is.na(columns$time_s$value)][1]
-  if (isTRUE(abs(first) > 1e8)) {
-    columns$time_s$value <- columns$time_s$value - first
+  # Date stamps: the difference in their own unit is exact, in s each is rounded to 2e-7.
+  first <- which(!is.na(columns$time_s$value))[1]
+  if (isTRUE(abs(columns$time_s$value[first]) > 1e8)) {
+    factor <- if (is.na(heads$factor[time])) 1 else heads$factor[time]
+    stamps <- table$columns[[time]]
+    columns$time_s$value <- (stamps - stamps[first]) * factor
     notes <- c(notes, "times are since the first row")
   }
   angle <- pick("angle")

@@ -56,3 +56,10 @@ test_that("a log without times names the argument that gives its rate", {
   expect_equal(r$time_s, 0:29 / 100)
   expect_equal(r$omega_rad_per_s, (10 + 1:30) * pi / 180)
 })
+
+test_that("the first of the stamps is subtracted in their own unit", {
+  ms <- 10 * 0:20
+  stamps <- format(1.7e12 + ms, digits = 15)
+  file <- text_file(c("timestamp (ms),w (rpm)", paste(stamps, 1:21, sep = ",")))
+  expect_identical(read_motion(file)$time_s, ms * 1e-3)
+})
