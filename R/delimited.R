@@ -212,7 +212,7 @@ read_delimited <- function(text, file, call) {
     out[fits] <- x
     out
   })
-  if (length(headings)) headings[clock] <- clock_heading
+  if (length(headings)) headings[clock] <- paste0(headings[clock], clock_mark)
   list(
     headings = headings, columns = full, odd = odd, clock = clock, above = lines[seq_len(top)],
     dropped = as_table(
@@ -223,8 +223,10 @@ read_delimited <- function(text, file, call) {
   )
 }
 
-# Of a column of times of day, whatever its name in the file.
-clock_heading <- "Time of day (s)"
+# Behind the heading of a column of times of day, whatever its name: its numbers are in s.
+clock_mark <- " [time of day] (s)"
+is_clock <- function(headings) endsWith(headings, clock_mark)
+file_headings <- function(headings) sub(clock_mark, "", headings, fixed = TRUE)
 
 # One heading a column from the lines above the numbers: names, short names, units.
 join_headings <- function(head, width) {
@@ -263,8 +265,8 @@ record_from_table <- function(table, call, file, source, axis = NULL, notes = ch
   if (any(table$odd[odd] > rows / 10)) {
     abort_file(
       paste0(
-        "Column \"", table$headings[odd[which.max(table$odd[odd])]], "\" has cells that are no ",
-        "number."
+        "Column ", quote_all(table$headings[odd[which.max(table$odd[odd])]]),
+        " has cells that are no number."
       ), file, call,
       if (identical(table$dialect$decimal, ",")) {
         "The decimal mark is a comma: a number with a point, as {.val 1.600}, may be 1600 or 1.6.
@@ -293,7 +295,7 @@ missing_note <- function(n) {
   paste(n, if (n == 1L) "cell is" else "cells are", "no number: missing")
 }
 
-quote_all <- function(x) toString(encodeString(x, quote = "\""))
+quote_all <- function(x) toString(encodeString(file_headings(x), quote = "\""))
 
 renaming <- "{.fn read_imu} takes other names for its columns: {.arg headings}."
 
@@ -302,7 +304,7 @@ table_columns <- function(table, heads, file, call) {
   pick <- function(kind) which(heads$kind %in% kind)
   time <- pick("time")
   # Seconds before times of day.
-  time <- time[order(table$headings[time] == clock_heading)]
+  time <- time[order(is_clock(table$headings[time]))]
   elapsed <- which(heads$name %in% c("seconds_elapsed", "seconds"))
   if (length(elapsed)) time <- elapsed[1]
   if (!length(time)) {
@@ -314,7 +316,7 @@ table_columns <- function(table, heads, file, call) {
   take <- function(at, arg, factor = heads$factor[at]) {
     list(
       value = table$columns[[at]] * (if (is.na(factor)) 1 else factor),
-      heading = table$headings[at], arg = arg,
+      heading = file_headings(table$headings[at]), arg = arg,
       unit = if (is.na(heads$unit[at])) record_arguments[[arg]][[2]] else heads$unit[at], at = at
     )
   }
@@ -331,7 +333,7 @@ table_columns <- function(table, heads, file, call) {
     }
     if (!heads$name[time] %in% elapsed) notes <- "times without a unit are in s"
   }
-  if (table$headings[time] == clock_heading) {
+  if (is_clock(table$headings[time])) {
     notes <- c(notes, "times of day: seconds since the first row")
   }
   # Date stamps: the difference in their own unit is exact, in s each is rounded to 2e-7.
@@ -412,7 +414,7 @@ name_columns <- function(table, headings, call) {
       x = "It is {describe_value(headings)}."
     ), "size", call)
   }
-  headings[table$clock] <- clock_heading
+  headings[table$clock] <- paste0(headings[table$clock], clock_mark)
   table$headings <- headings
   table
 }

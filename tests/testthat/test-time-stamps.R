@@ -25,6 +25,7 @@ test_that("times of day in a log are seconds since its first row", {
     unlink(file)
   }
   expect_output(print(record), "times of day: seconds since the first row")
+  expect_output(print(record), "time_s from \"Time\"", fixed = TRUE)
 })
 
 test_that("days, halves of days and offsets from UTC are R's", {
