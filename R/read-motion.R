@@ -6,7 +6,9 @@
 #' * **phyphox**: CSV with comma, semicolon or tab, decimal point or comma; the zip of these with
 #'   the times of pauses; `.xls`.
 #' * **Tracker**: exported text, or a `.trk` project, whose marks become positions in m by its axes
-#'   (the picture's y is down), its angle and its scale.
+#'   (the picture's y is down), its angle and its scale. Units in the headings of a text are
+#'   converted (`x (cm)`), positions without a unit are in m. Its column `frame` gives the times
+#'   where `frame_rate_hz` is given; without that column the median step of time is one frame.
 #' * **Vernier**: CSV and text of Logger Pro and Graphical Analysis, `.cmbl`, `.gambl`.
 #' * **PASCO** Capstone: CSV or text, runs side by side.
 #' * **IMU** logs: Sensor Logger, NGIMU, xio, and any table with units in its headings; in names
@@ -144,7 +146,7 @@ motion_format <- function(bytes, file, call) {
     return("phyphox")
   }
   # A line of names of tracks, then one that begins with t.
-  time <- "^\"?t\"?[ ]?(\\(s\\))?[,;\t ]+\"?"
+  time <- "^\"?t\"?[ ]?(\\([a-z]+\\))?[,;\t ]+\"?"
   if (length(first) > 2L && any(grepl(paste0(time, "[xyr\u03b8]"), first[1:2])) &&
     (grepl(time, first[2]) || !grepl("[(]", first[1]))) {
     return("tracker")

@@ -177,7 +177,7 @@ tracker_text <- function(file, bytes, call, mark, centre_m, frame_rate_hz, angle
   # Names of tracks are in the line above, at their first columns.
   heads <- gsub("^(.*)\u03b8.*$", "\\1theta", table$headings)
   heads <- gsub("^(.*)\u03c9.*$", "\\1omega", heads)
-  bare <- lower_case(sub("\\s*[(].*$", "", heads))
+  bare <- lower_case(sub("\\s*[[(].*$", "", heads))
   if (!"t" %in% bare) abort_file("It has no column \"t\".", file, call)
   pick <- function(name) {
     at <- which(bare == name)
@@ -190,24 +190,57 @@ tracker_text <- function(file, bytes, call, mark, centre_m, frame_rate_hz, angle
   y <- pick("y")
   angle <- pick("theta")
   time <- which(bare == "t")[1]
-  column <- function(at, arg, factor = 1, unit) {
-    list(value = table$columns[[at]] * factor, heading = table$headings[at], arg = arg, unit = unit)
+  column <- function(at, arg, factor, unit) {
+    list(
+      value = table$columns[[at]] * factor, heading = file_headings(table$headings[at]), arg = arg,
+      unit = unit
+    )
   }
-  notes <- character()
-  columns <- list(time_s = column(time, "time_s", 1, "s"))
+  in_si <- function(at, arg, kind) {
+    heading <- parse_heading(table$headings[at])
+    unit <- heading$unit
+    if (is.null(heading$said)) return(column(at, arg, 1, record_arguments[[arg]][[2]]))
+    if (!identical(unit$kind, kind)) {
+      abort_file(
+        paste0("The unit of ", quote_all(table$headings[at]), " is no unit of ", kind, "."), file,
+        call, if (kind == "length") {
+          "Calibrate the video in Tracker and export lengths, as {.val x (cm)}."
+        }
+      )
+    }
+    column(at, arg, unit$factor, unit$text)
+  }
+  columns <- list(time_s = in_si(time, "time_s", "time"))
+  frame <- pick("frame")
   if (!is.null(frame_rate_hz)) {
     seconds <- columns$time_s$value
-    step <- stats::median(diff(seconds), na.rm = TRUE)
+    counted <- if (length(frame)) table$columns[[frame]] else seq_along(seconds)
+    if (length(frame) && (!isTRUE(all(diff(counted[!is.na(counted)]) > 0)) ||
+      any(counted %% 1 != 0, na.rm = TRUE))) {
+      abort_file("Its frame numbers are no whole numbers that increase.", file, call)
+    }
+    step <- stats::median(diff(seconds) / diff(counted), na.rm = TRUE)
     if (!isTRUE(step > 0)) abort_file("Its times do not increase.", file, call)
-    columns$time_s$value <- seconds / step / frame_rate_hz
-    notes <- "the smallest step of time is one frame"
+    if (length(frame)) {
+      # The frames are exact, the times of the file are rounded.
+      first <- which(!is.na(counted) & !is.na(seconds))[1]
+      start <- seconds[first] / step
+      columns$time_s$value <- (start + counted - counted[first]) / frame_rate_hz
+      notes <- "times are those of the frame numbers"
+    } else {
+      columns$time_s$value <- seconds / step / frame_rate_hz
+      notes <- "the median step of time is one frame"
+    }
   } else {
     notes <- "times are those of the file; of a slow-motion video they may be the playback's"
   }
   if (length(x) && (length(y) || !length(angle))) {
-    columns$x_m <- column(x, "x_m", 1, "m")
-    if (length(y)) columns$y_m <- column(y, "y_m", 1, "m")
-    notes <- c(notes, "positions are in m")
+    columns$x_m <- in_si(x, "x_m", "length")
+    if (length(y)) columns$y_m <- in_si(y, "y_m", "length")
+    bare_units <- vapply(table$headings[c(x, y)], function(heading) {
+      is.null(parse_heading(heading)$said)
+    }, NA)
+    if (any(bare_units)) notes <- c(notes, "positions without a unit are in m")
   } else if (length(angle)) {
     said <- parse_heading(table$headings[angle])$unit
     if (is.null(angle_unit) && (is.null(said) || said$kind != "angle")) {

@@ -27,7 +27,10 @@ unit_table <- local({
       rpm = turn / 60, "rev/min" = turn / 60, "r/min" = turn / 60, rps = turn,
       "turn/s" = turn, "turns/s" = turn, "rev/s" = turn, "revs/s" = turn
     ),
-    kind("length", m = 1, cm = 1e-2, mm = 1e-3, um = 1e-6, km = 1e3, inch = 0.0254),
+    kind(
+      "length", m = 1, cm = 1e-2, mm = 1e-3, um = 1e-6, km = 1e3, inch = 0.0254, inches = 0.0254,
+      "in" = 0.0254, ft = 0.3048, foot = 0.3048, feet = 0.3048
+    ),
     kind(
       "other", g = 9.80665, mg = 9.80665e-3, ut = 1e-6, "m/s" = 1, "m/s2" = 1, "cm/s" = 1e-2,
       "rad/s2" = 1, "deg/s2" = deg, n = 1, hz = 1, v = 1, hpa = 100, kg = 1, px = 1, pixel = 1,
@@ -87,7 +90,8 @@ parse_heading <- function(heading) {
     name <- paste(words[seq_len(k - 1)], collapse = "_")
     # A name has no slash: gyro_z_rad_s is in rad/s.
     last <- sub("( per)? (s2?|sec|second)$", "/\\2", paste(words[k:length(words)], collapse = " "))
-    unit <- parse_unit(last)
+    # omega_in is the rate of an input, not in inches.
+    unit <- if (last != "in") parse_unit(last)
     if (!is.null(unit)) return(plain(name, unit))
   }
   if (length(found)) {

@@ -87,3 +87,48 @@ test_that("the panel of a project may be within another object", {
   file <- text_file(other, ext = ".trk")
   expect_error(read_tracker(file), "no project of Tracker", class = "rotdyn_error_file")
 })
+
+test_that("units in the headings of exported text are converted, others are refused", {
+  t <- 0:20 / 20
+  x <- cos(3 * t)
+  y <- sin(3 * t)
+  export <- function(heads, t, x, y) {
+    text_file(c("mass A", heads, paste(t, x, y, sep = "\t")), ext = ".txt")
+  }
+  metres <- c(mm = 1e-3, cm = 1e-2, m = 1, km = 1e3, "in" = 0.0254, ft = 0.3048)
+  for (unit in names(metres)) {
+    heads <- paste0("t (ms)\tx (", unit, ")\ty [", unit, "]")
+    file <- export(heads, 1e3 * t, x / metres[[unit]], y / metres[[unit]])
+    for (read in list(read_motion, read_tracker)) {
+      r <- read(file, centre_m = c(0, 0))
+      expect_equal(r$time_s, t, tolerance = 1e-12, info = unit)
+      expect_equal(r$x_m, x, tolerance = 1e-12, info = unit)
+      expect_equal(r$y_m, y, tolerance = 1e-12, info = unit)
+      expect_false(any(grepl("in m$", attr(r, "record")$assumed)))
+    }
+  }
+  for (heads in c("t (s)\tx (px)\ty (px)", "t (s)\tx (m)\ty (furlong)", "t (frames)\tx (m)\ty (m)",
+    "t (s)\tx (s)\ty (m)")) {
+    expect_error(read_tracker(export(heads, t, x, y)), "unit of", class = "rotdyn_error_file")
+  }
+})
+
+test_that("frame numbers of a file give the times at the rate of the camera", {
+  frame <- c(0, 3, 6, 9, 15, 18, 20)
+  shown <- sprintf("%.2f", 0.5 + frame / 30)
+  export <- function(frame) {
+    text_file(c(
+      "mass A", "t\tx\ty\tframe",
+      paste(shown, cos(frame / 9), sin(frame / 9), frame, sep = "\t")
+    ), ext = ".txt")
+  }
+  r <- read_motion(export(frame), frame_rate_hz = 240, centre_m = c(0, 0))
+  expect_equal(r$time_s - r$time_s[1], frame / 240, tolerance = 1e-12)
+  expect_equal(r$time_s[1], 0.5 / 8, tolerance = 0.05)
+  expect_match(attr(r, "record")$assumed, "frame numbers", all = FALSE)
+  for (bad in list(rev(frame), frame / 2)) {
+    expect_error(
+      read_tracker(export(bad), frame_rate_hz = 240), "frame numbers", class = "rotdyn_error_file"
+    )
+  }
+})

@@ -77,3 +77,10 @@ test_that("what stands in the place of a unit is said, known or not", {
   expect_null(parse_heading("angle [furlong]")$unit)
   expect_null(said("angle")$said)
 })
+
+test_that("inches and feet are lengths, omega_in is the rate of an input", {
+  heads <- heading_table(c("x (in)", "x [ft]", "x_ft", "x in in", "y (inches)"))
+  expect_identical(heads$kind, rep("length", 5))
+  expect_equal(heads$factor, c(0.0254, 0.3048, 0.3048, 0.0254, 0.0254))
+  expect_identical(heading_table("omega_in")$kind, NA_character_)
+})
