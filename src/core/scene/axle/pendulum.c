@@ -203,9 +203,11 @@ static double roundings(const pendulum *p, rot_dd r) {
 static void swing_pose(const pendulum *p, rot_dd u, pose *out) {
   double sn, cn, dn;
   rot_dd r = u;
-  const double turns = rot_jacobi_reduce(&p->jacobi, &r), du = argument_error(p, u, turns);
+  int quarter;
+  const double turns = rot_jacobi_reduce(&p->jacobi, &r, &quarter),
+               du = argument_error(p, u, turns);
   rot_jacobi_at(&p->jacobi, r, &sn, &cn, &dn);
-  if (fmod(turns, 2.0) != 0.0) {
+  if (quarter % 2) {
     sn = -sn;
     cn = -cn;
   }
@@ -219,7 +221,9 @@ static void swing_pose(const pendulum *p, rot_dd u, pose *out) {
 static void turning_pose(const pendulum *p, rot_dd u, pose *out) {
   double sn, cn, dn;
   rot_dd r = u;
-  const double turns = rot_jacobi_reduce(&p->jacobi, &r), du = argument_error(p, u, turns);
+  int quarter;
+  const double turns = rot_jacobi_reduce(&p->jacobi, &r, &quarter),
+               du = argument_error(p, u, turns);
   const double m = 1.0 - p->jacobi.m1;
   rot_jacobi_at(&p->jacobi, r, &sn, &cn, &dn);
   set_angle(out, sn, cn, turns);
