@@ -9,8 +9,8 @@
 #'   \deqn{I = m g d / \omega_0^2,\quad I_c = I - m d^2}{I = m g d/omega0^2,  Ic = I - m d^2}
 #'   The difference amplifies the errors: its factor is printed.
 #' * `inertia_bifilar()`, `inertia_trifilar()`: on two or three wires of length L between an upper
-#'   circle of radius R and a lower one of radius r, about the vertical through the centre (two wires:
-#'   R and r are half the spacings),
+#'   circle of radius R and a lower one of radius r, about the vertical through the centre (of two
+#'   wires R and r are half the spacings),
 #'   \deqn{I = m g R r T^2 / (4 \pi^2 h),\quad h^2 = L^2 - (R - r)^2}{I = m g R r T^2/(4 pi^2 h),
 #'     h^2 = L^2 - (R - r)^2}
 #'   for small swings. At an amplitude A the platform rises, and with \eqn{\sin(\theta/2) =

@@ -689,8 +689,9 @@ unwrap_record <- function(columns, segment, call) {
 # Of each segment the rows with an angle: `rows`, their times `t` and angles `x`; for the step to
 # each row from the one before: `long`, much longer than their median; `hidden`, there are rows
 # without an angle between; `advance`, the integral of the measured rate, NA: not measured at its
-# ends; `measured`: the rate is measured all along the step. `long` is TRUE at the first row. `from`,
-# `to`: the rows from which and up to which a time as long as the step lies before and after it.
+# ends; `measured`: the rate is measured all along the step. `long` is TRUE at the first row.
+# `from`, `to`: the rows from which and up to which a time as long as the step lies before and after
+# it.
 known_runs <- function(time, theta, segment, omega) {
   known <- which(!is.na(theta))
   runs <- split(known, segment[known])
