@@ -200,8 +200,17 @@ read_delimited <- function(text, file, call) {
   # A column is of times of day by most of its first cells.
   few <- matrix[seq_len(min(nrow(matrix), 400L)), , drop = FALSE]
   clock <- which(colMeans(array(is_stamp(few), dim(few))) > 0.5)
+  # Of dates, by most of those that are not empty: a date may be written where it changes.
+  full <- colSums(array(!few %in% missing_cells, dim(few)))
+  dated <- which(colSums(array(is_lone_date(few), dim(few))) > 0.5 * full)
   columns <- lapply(seq_len(width), function(k) {
-    if (k %in% clock) return(stamp_seconds(matrix[, k]))
+    if (k %in% clock) {
+      stamps <- join_dates(matrix[, k], k, dated, matrix)
+      # Dates of unknown order are an error only where the column is read.
+      return(tryCatch(stamp_seconds(stamps, file, call), rotdyn_error_file = function(e) {
+        structure(rep(NA_real_, length(stamps)), fault = e)
+      }))
+    }
     cell_numbers(matrix[, k], dialect$decimal)
   })
   odd <- vapply(seq_len(width), function(k) {
@@ -210,6 +219,7 @@ read_delimited <- function(text, file, call) {
   full <- lapply(columns, function(x) {
     out <- rep(NA_real_, length(rows))
     out[fits] <- x
+    attr(out, "fault") <- attr(x, "fault")
     out
   })
   if (length(headings)) headings[clock] <- paste0(headings[clock], clock_mark)
@@ -321,6 +331,8 @@ table_columns <- function(table, heads, file, call) {
     )
   }
   time <- time[1]
+  fault <- attr(table$columns[[time]], "fault")
+  if (!is.null(fault)) stop(fault)
   columns <- list(time_s = take(time, "time_s"))
   if (is.na(heads$factor[time])) {
     if (any(abs(columns$time_s$value) > 1e8, na.rm = TRUE)) {

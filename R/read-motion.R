@@ -16,7 +16,13 @@
 #'
 #' Times of day, with or without a date (`2026-03-01T10:11:12.5Z`, `10:11:12.5`), become seconds
 #' since the first row. Without a date, a time half a day before the one above is of the next day.
+#' A column of dates joins the nearest column of times of day without a date. The order of day and
+#' month in `30/12/2026` follows from a day after the twelfth in any row; dates that change and do
+#' not determine the order are an error (of two digits, the year may be first). A cell with a date
+#' that does not exist is missing.
 #' A column of seconds is read before one of times of day.
+#'
+#' In a file with decimal commas a cell with a point (`1.600`) is no number.
 #'
 #' Separators, decimal marks, the encoding and the line of the headings are found. Runs side by side
 #' become segments. Rows with another number of cells than the first are dropped and named, never

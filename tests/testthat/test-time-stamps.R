@@ -75,3 +75,80 @@ test_that("date-times of R are times of a record and of a fit", {
   expect_equal(coef(found), coef(fit_scene(wheel, run, "omega0_rad_per_s")))
   expect_equal(motion_record(dated)$time_s, run$time_s)
 })
+
+test_that("short dates give the day where they determine the order of day and month", {
+  hours <- function(..., heading = "Time,w (rpm)", separator = ",") {
+    file <- log_file(heading, c(...), separator)
+    on.exit(unlink(file))
+    read_motion(file)$time_s / 3600
+  }
+  expect_equal(hours("30/12/2026 10:00:00", "31/12/2026 11:00:00"), c(0, 25))
+  expect_equal(hours("12/30/2026 10:00:00", "12/31/2026 11:00:00"), c(0, 25))
+  expect_equal(hours("12/30/26 10:00:00 PM", "1/1/27 1:00:00 AM"), c(0, 27))
+  expect_equal(hours("28.02.2024 22:00:00", "01.03.2024 01:00:00"), c(0, 27))
+  expect_equal(hours("31/12/2026 23:00:00", "01/01/2027 01:00:00"), c(0, 2))
+  # The order does not matter for one day.
+  expect_equal(hours("3/1/26 10:00:00", "3/1/26 11:00:00"), c(0, 1))
+  expect_equal(
+    hours("31/12/2026;23:00:00", "01/01/2027;01:00:00", heading = "Date;Time;w (rpm)",
+      separator = ";"), c(0, 2)
+  )
+  for (dates in list(c("01/03/2026", "02/03/2026"), c("26-12-30", "26-12-31"),
+    c("01.03.26", "02.03.26"))) {
+    error <- expect_error(
+      hours(paste(dates, "10:00:00")), "2026-03-01", class = "rotdyn_error_file"
+    )
+    expect_match(conditionMessage(error), dates[2], fixed = TRUE)
+  }
+})
+
+test_that("a column of dates joins the times of day", {
+  clock <- c("23:00:00", "23:00:00", "01:00:00", "23:00:00")
+  dates <- c("2024-02-28", "2024-02-29", "2024-03-01", "2024-03-01")
+  for (lines in list(
+    c("Date,Time,w (rpm)", paste(dates, clock, 1:4, sep = ",")),
+    c("Time\tw (rpm)\tDate", paste(clock, 1:4, dates, sep = "\t")),
+    c("Date;Time;w (rpm)", paste(gsub("-", "/", dates), clock, 1:4, sep = ";"))
+  )) {
+    file <- tempfile(fileext = ".csv")
+    writeLines(lines, file)
+    r <- read_motion(file)
+    expect_equal(r$time_s, 3600 * c(0, 24, 26, 48), info = lines[1])
+    expect_equal(r$omega_rad_per_s, 1:4 * pi / 30)
+    expect_true(all(r$segment == 1))
+    unlink(file)
+  }
+  # A logger that writes the date where it changes.
+  file <- log_file("Date,Time,w (rpm)", paste(c("2026-03-01", "", "2026-03-05", ""),
+    c("22:00:00", "23:00:00", "23:00:00", "01:00:00"), sep = ","))
+  expect_equal(read_motion(file)$time_s, 3600 * c(0, 1, 97, 99))
+  unlink(file)
+})
+
+test_that("a date that does not exist leaves the days of the others, and is reported", {
+  days <- sprintf("2026-02-%02d", 10:28)
+  stamps <- paste(c(days, "2026-02-30"), "10:00:00")
+  for (heading in c("time,w (rpm)", "date,time,w (rpm)")) {
+    if (startsWith(heading, "date")) stamps <- sub(" ", ",", stamps)
+    file <- log_file(heading, stamps)
+    r <- read_motion(file)
+    expect_equal(r$time_s, 86400 * 0:18)
+    expect_equal(attr(r, "record")$dropped$row, 20)
+    expect_match(attr(r, "record")$assumed, "1 cell is no number", all = FALSE)
+    unlink(file)
+  }
+  file <- log_file("time,w (rpm)", paste(c("2026-02-28", "2026-02-30"), "10:00:00"))
+  expect_error(read_motion(file), "no number", class = "rotdyn_error_file")
+  unlink(file)
+  expect_equal(stamp_seconds(c("2026-02-30T10:00:00", "99/99/2026T10:00:00")), c(NA_real_, NA))
+})
+
+test_that("dates of unknown order do no harm beside a column of seconds or a known rate", {
+  file <- log_file("time,seconds,w (rpm)", c("01/03/2026 10:00:00,0", "02/03/2026 10:00:00,5"))
+  expect_equal(read_motion(file)$time_s, c(0, 5))
+  unlink(file)
+  file <- log_file("time,w (rpm)", c("01/03/2026 10:00:00", "02/03/2026 10:00:00"))
+  expect_equal(read_motion(file, rate_hz = 10)$time_s, c(0, 0.1))
+  expect_error(read_motion(file), "order of day", class = "rotdyn_error_file")
+  unlink(file)
+})
