@@ -44,18 +44,78 @@ cli_read_table <- function(path, state) {
 }
 
 cli_table <- function(lines) {
-  table <- tryCatch(
-    utils::read.csv(
-      text = lines, stringsAsFactors = FALSE, check.names = FALSE, strip.white = TRUE,
-      blank.lines.skip = TRUE
-    ),
-    error = identity, warning = identity
+  cells <- cli_table_cells(lines)
+  columns <- lapply(cells$columns, function(x) utils::type.convert(x, "NA", as.is = TRUE))
+  new_table(stats::setNames(columns, cells$names))
+}
+
+# list(names =, columns =) of text. read.csv() shifts a row that has a cell too many, or makes two
+# rows of it. Messages name the line in the file: of a row with line breaks in quotes, the last one.
+cli_table_cells <- function(lines) {
+  connection <- textConnection(lines, encoding = "UTF-8")
+  on.exit(close(connection))
+  # NA: the row continues on the next line.
+  count <- utils::count.fields(
+    connection, sep = ",", quote = "\"", blank.lines.skip = FALSE, comment.char = ""
   )
-  if (inherits(table, "condition")) {
-    abort_input("it is no table with commas: ", conditionMessage(table))
+  cli_check_quotes(lines, count)
+  used <- is.na(count) | count > 1L | nzchar(trimws(lines))
+  cells <- scan(
+    text = lines[used], what = "", sep = ",", quote = "\"", strip.white = TRUE, comment.char = "",
+    na.strings = character(), encoding = "UTF-8", quiet = TRUE
+  )
+  line <- which(used & !is.na(count))
+  count <- count[line]
+  if (sum(count) != length(cells)) abort_input("it is no table with commas")
+  header <- cli_table_names(cells[seq_len(count[1])], line[1])
+  if (length(line) == 1L) abort_input("it has no row below its names")
+  n <- length(header)
+  names_said <- paste0("line ", line[1], " has ", cli_number_of(n, "name"))
+  at <- sequence(count)
+  row <- rep(seq_along(line), count)
+  odd <- which(row > 1L & at > n & nzchar(cells))[1]
+  if (!is.na(odd)) {
+    abort_input("line ", line[row[odd]], ": cell ", at[odd], " has no name; ", names_said)
   }
-  if (!nrow(table)) abort_input("it has no row below its names")
-  new_table(table)
+  short <- which(count < n)[1]
+  if (!is.na(short)) {
+    cells_said <- cli_number_of(count[short], "cell")
+    abort_input("line ", line[short], " has ", cells_said, "; ", names_said)
+  }
+  list(names = header, columns = lapply(seq_len(n), function(i) cells[at == i & row > 1L]))
+}
+
+cli_number_of <- function(n, word) paste0(n, " ", word, if (n != 1L) "s")
+
+# Two stray quotes, such as signs for inches, would make one row of the lines between them: a row of
+# several lines must have its open quote at the start of a cell.
+cli_check_quotes <- function(lines, count) {
+  own <- count[seq_along(lines)]
+  opens <- which(is.na(own) & !is.na(c(0L, own[-length(own)])))
+  # count.fields() counts an unfinished row beyond the last line.
+  if (length(count) != length(lines)) {
+    abort_input("line ", max(opens, 1L), ": a quote is not closed")
+  }
+  quoted <- "\\s*+\"[^\"]*+(?:\"\"[^\"]*+)*+"
+  proper <- paste0("^(?:(?:", quoted, "\"\\s*+|[^\",]*+),)*+", quoted, "$")
+  stray <- opens[!grepl(proper, lines[opens], perl = TRUE)][1]
+  if (!is.na(stray)) abort_input("line ", stray, ": a quote is not at the start of a cell")
+}
+
+# Spreadsheets write commas behind the last name; R and pandas write row labels without a name.
+cli_table_names <- function(names, line) {
+  named <- which(nzchar(names))
+  if (!length(named)) abort_input("line ", line, " has no names")
+  if (length(named) == 1L && grepl("[;\t]", names[named])) {
+    abort_input("line ", line, ": commas must separate the names")
+  }
+  names <- names[seq_len(max(named))]
+  if (!nzchar(names[1])) names[1] <- "row_name"
+  empty <- which(!nzchar(names))
+  if (length(empty)) abort_input("line ", line, ": column ", empty[1], " has no name")
+  twice <- names[duplicated(names)]
+  if (length(twice)) abort_input("line ", line, ": two columns have the name `", twice[1], "`")
+  names
 }
 
 # Scenes: named list. A file has one scene, or one in each line (JSON lines). Without a file, an

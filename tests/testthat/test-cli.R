@@ -342,6 +342,88 @@ test_that("input with a zero byte is refused", {
   })
 })
 
+test_that("cells beyond the names are refused, and dropped where all are empty", {
+  roll <- function(...) cli("roll", "-", input = c(...))
+  plain <- roll("beta,incline_angle_deg", "0.4,20", "0.5,30")
+  expect_identical(plain$status, 0L)
+  expect_identical(roll("beta,incline_angle_deg", "0.4,20,", "0.5,30,"), plain)
+  expect_identical(roll("beta,incline_angle_deg,", "0.4,20,", "0.5,30"), plain)
+  expect_identical(roll("beta,incline_angle_deg,,", "", "0.4,20,,", "  ", "0.5,30, ,,"), plain)
+  refused <- function(said, words) {
+    expect_identical(said[c("status", "out")], list(status = 3L, out = character()))
+    expect_match(said$err[1], words, fixed = TRUE)
+  }
+  refused(
+    roll("beta,incline_angle_deg", rep("0.4,20", 6), "0.5,30,7"),
+    "line 8: cell 3 has no name; line 1 has 2 names"
+  )
+  # R's table with row names, one name less than columns.
+  refused(roll("beta", "1,0.4", "2,0.5"), "line 2: cell 2 has no name; line 1 has 1 name")
+  refused(roll("", "beta,incline_angle_deg,", "0.4,20,x"), "line 3: cell 3 has no name; line 2 has")
+  refused(
+    roll("beta,incline_angle_deg", "0.4,20", "", "0.5"), "line 4 has 1 cell; line 1 has 2 names"
+  )
+  refused(roll("beta,,x", "1,2,3"), "line 1: column 2 has no name")
+  refused(roll(",", ","), "line 1 has no names")
+  refused(roll("beta,x,beta", "1,2,3"), "line 1: two columns have the name `beta`")
+  refused(roll("beta;x", "1;2"), "line 1: commas must separate the names")
+  refused(roll("beta,", ""), "no row below its names")
+})
+
+test_that("every reader of tables takes empty cells behind its lines, and no others", {
+  axis <- c("x", "y", "z")
+  lines <- list(
+    tumble = c(paste(c(paste0("i", axis, axis, "_kg_m2"), paste0("omega_", axis, "_rad_per_s")),
+                     collapse = ","), "1,2,2.5,0.01,1,0", "1,2,2.5,0.01,1,0"),
+    precess = c("mass_kg,lever_arm_m,moment_of_inertia_kg_m2,spin_rad_per_s", "1,0.1,0.002,500"),
+    inertia = c("shape,mass_kg,radius_m", "disk,1,2", "disk,1,2"),
+    "check-inertia" = c("ixx,iyy,izz", "1,2,3", "1,2,3"),
+    trajectory = c("time_s,torque_n_m", "0,0", "1,1")
+  )
+  more <- list(tumble = c("--time-s", "10"))
+  for (verb in names(lines)) {
+    words <- c(verb, if (verb == "trajectory") {
+      c("--moment-of-inertia-kg-m2", "1", "--times", "0:1:1", "--torque-file")
+    }, "-", more[[verb]])
+    text <- lines[[verb]]
+    plain <- cli(words, input = text)
+    expect_identical(plain$status, 0L, info = verb)
+    expect_identical(cli(words, input = paste0(text, ",")), plain, info = verb)
+    expect_identical(cli(words, input = c(text[1], paste0(text[-1], ",,"))), plain, info = verb)
+    at <- length(text)
+    for (last in c(paste0(text[at], ",7"), sub(",[^,]*$", "", text[at]))) {
+      said <- cli(words, input = c(text[-at], last))
+      expect_identical(said$status, 3L, info = verb)
+      expect_match(said$err[1], paste0("standard input: line ", at, "( |:)"), info = verb)
+    }
+    # Row labels as R and pandas write them.
+    labels <- paste0(c("", seq_len(at - 1L)), ",", text)
+    expect_identical(cli(words, input = labels)$status, 0L, info = verb)
+  }
+})
+
+test_that("quoted cells, and the types of columns, are read.csv()'s", {
+  lines <- c(
+    " beta , object,yes,none,n", "0.4,\"a,b\",TRUE,,1", "", "NA,\"say \"\"x\"\"\",NA,,2",
+    "1e-3,\"two", "", "lines\",F,, 3 ", "\"0.5\",it's #1,T,,", "Inf,\u00e9 ,T,,4"
+  )
+  read <- utils::read.csv(
+    text = lines, check.names = FALSE, strip.white = TRUE, encoding = "UTF-8"
+  )
+  expect_identical(as.list(rotdyn:::cli_table(lines)), as.list(read))
+  refused <- function(...) {
+    said <- cli("roll", "-", input = c("beta,object", ...))
+    expect_identical(said$status, 3L)
+    said$err
+  }
+  expect_match(refused("0.4,\"a", "0.5,b"), "line 2: a quote is not closed")
+  expect_match(refused("0.4,a", "0.5,b", "0.5,\"b"), "line 4: a quote is not closed")
+  # Inches: read.csv() makes one row of the two lines.
+  expect_match(
+    refused("0.4,5\" pipe", "0.5,7\" pipe"), "line 2: a quote is not at the start of a cell"
+  )
+})
+
 test_that("times", {
   times <- function(text) rotdyn:::cli_times(text, function(what) stop(what))
   expect_identical(times("0:1:0.1"), 0 + 0:10 * 0.1)
