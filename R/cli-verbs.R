@@ -125,7 +125,7 @@ cli_scenes <- function(words, options, state, verb) {
     axle <- cli_axle(options, state, verb)
     return(list(axle = axle))
   }
-  given <- intersect(names(options), cli_axle_names)
+  given <- intersect(names(options), cli_axle_names())
   if (length(given)) {
     abort_usage("`--", given[1], "` describes an axle, and there is a scene, too", verb = verb)
   }
@@ -199,10 +199,11 @@ cli_size_options <- function() {
   }, sizes$name, sizes$kind)
 }
 
-cli_axle_names <- c(
-  "shape", "moment-of-inertia-kg-m2", "mass-kg", "torque-n-m", "torque-file", "viscous-n-m-s",
-  "quadratic-n-m-s2", "coulomb-n-m", "theta0-rad", "omega0-rad-per-s"
-)
+cli_axle_names <- function() {
+  vapply(c(cli_axle_options(), unname(cli_size_options())), `[[`, "", "name")
+}
+
+cli_shape_options <- function() c("mass-kg", gsub("_", "-", size_table()$name))
 
 cli_axle <- function(options, state, verb) {
   body <- options[["moment-of-inertia-kg-m2"]]
@@ -210,6 +211,12 @@ cli_axle <- function(options, state, verb) {
     abort_usage(
       "`", verb, "` needs a file with a scene, or `--shape`, or `--moment-of-inertia-kg-m2`",
       verb = verb
+    )
+  }
+  of_shape <- intersect(names(options), cli_shape_options())
+  if (!is.null(body) && length(of_shape)) {
+    abort_usage(
+      "`--", of_shape[1], "` and `--moment-of-inertia-kg-m2` exclude each other", verb = verb
     )
   }
   if (is.null(body)) body <- cli_body(options$shape, options, verb)
@@ -452,14 +459,17 @@ cli_run_race <- function(words, options, state) {
 }
 
 cli_run_inertia <- function(words, options, state) {
+  given <- intersect(names(options), cli_shape_options())
   if (length(words) && (words == "-" || file.exists(words) || grepl("[.]csv$", words))) {
-    given <- intersect(names(options), c("mass-kg", gsub("_", "-", size_table()$name)))
     if (length(given)) {
       abort_usage("a table excludes `--", given[1], "`", verb = "inertia")
     }
     return(list(table = inertia_table(cli_read_table(words, state))))
   }
-  if (!length(words)) return(list(table = inertia_table()))
+  if (!length(words)) {
+    if (length(given)) abort_usage("`--", given[1], "` needs a shape", verb = "inertia")
+    return(list(table = inertia_table()))
+  }
   found <- cli_shape(words, options, "inertia")
   if (is.null(options[["mass-kg"]])) abort_usage("`--mass-kg` is missing", verb = "inertia")
   row <- c(list(shape = found$shape, mass_kg = options[["mass-kg"]]), found$sizes)

@@ -320,6 +320,29 @@ test_that("formats: a terminal reads text, a pipe csv", {
   expect_identical(rotdyn:::cli_csv(list(x = double())), "x")
 })
 
+test_that("options that would be ignored are refused", {
+  skip_if_not_installed("yyjsonr")
+  refused <- function(words, ...) {
+    said <- cli(...)
+    expect_identical(said[c("status", "out")], list(status = 2L, out = character()))
+    expect_match(said$err[1], words, fixed = TRUE)
+  }
+  refused("`--mass-kg` needs a shape", "inertia", "--mass-kg", "3")
+  refused("`--radius-m` needs a shape", "inertia", "--radius-m", "2")
+  expect_identical(cli("inertia")$status, 0L)
+  sizes <- paste0("--", gsub("_", "-", rotdyn:::size_table()$name))
+  in_folder(for (size in c("--mass-kg", sizes)) {
+    refused(
+      paste0("`", size, "` describes an axle, and there is a scene, too"),
+      "trajectory", "wheel.json", "--times", "0,1", size, "3"
+    )
+    refused(
+      paste0("`", size, "` and `--moment-of-inertia-kg-m2` exclude each other"),
+      "choose", "--moment-of-inertia-kg-m2", "1", "--times", "0,1", size, "3"
+    )
+  })
+})
+
 test_that("--out writes the data, --quiet keeps the words", {
   skip_if_not_installed("yyjsonr")
   in_folder({
