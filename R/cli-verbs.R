@@ -387,7 +387,8 @@ cli_table_verbs <- function() {
     ),
     cli_verb(
       "race", "[CSV]", c(0, 1),
-      "bodies released together on an incline, in the order of the finish",
+      c("bodies released together on an incline, in the order of the finish",
+        "Columns of the table replace the options."),
       c(bodies, list(
         angle, cli_option("length-m", "number", "length of the incline", 1),
         cli_option("static-friction", "number", "its coefficient; Inf: no body slips", Inf),
@@ -411,14 +412,16 @@ cli_table_verbs <- function() {
     cli_verb(
       "tumble", "CSV", c(1, 1),
       c("free bodies at a time, a row each",
-        "Columns: ixx_kg_m2, ..., omega_x_rad_per_s, ..., perhaps qw, qx, qy, qz."),
-      list(cli_option("time-s", "number", "time since the start")), cli_run_tumble, "time-s",
+        "Columns: ixx_kg_m2, ..., omega_x_rad_per_s, ..., perhaps qw, qx, qy, qz.",
+        "A column time_s replaces the option."),
+      list(cli_option("time-s", "number", "time since the start")), cli_run_tumble, NULL,
       "rotdyn tumble debris.csv --time-s 86400"
     ),
     cli_verb(
       "precess", "CSV", c(1, 1),
       c("rates of tops and gyroscopes",
-        "Columns: mass_kg, lever_arm_m, moment_of_inertia_kg_m2, spin_rad_per_s."),
+        "Columns: mass_kg, lever_arm_m, moment_of_inertia_kg_m2, spin_rad_per_s.",
+        "Columns of the names of the options replace these."),
       list(
         cli_option("axis-angle-deg", "number", "angle of the axis from the vertical", 90),
         cli_option("transverse-moment-kg-m2", "number", "about a line across the axis"), gravity
@@ -427,33 +430,60 @@ cli_table_verbs <- function() {
   )
 }
 
+# A table with the columns that R's function has. `arguments`: their names, by option; a column may
+# have the name of the option, too. The function is given the options' defaults as arguments, and
+# then takes no column for a misspelt argument: that is looked for here.
+cli_option_columns <- function(table, arguments) {
+  own <- stats::setNames(unname(arguments), gsub("-", "_", names(arguments)))
+  own <- own[names(own) != own]
+  for (name in intersect(names(own), names(table))) {
+    if (own[[name]] %in% names(table)) {
+      abort_input("the columns `", name, "` and `", own[[name]], "` exclude each other")
+    }
+    names(table)[names(table) == name] <- own[[name]]
+  }
+  check_near_columns(
+    table, c(names(own), unname(arguments)), c(names(table), names(own)[own %in% names(table)]),
+    column_table()$name, current_env()
+  )
+  table
+}
+
 # Bodies that roll: a table, betas, names, or the five.
-cli_rolling_bodies <- function(words, options, state, verb) {
+cli_rolling_bodies <- function(words, options, state, verb, arguments) {
   given <- c(length(words) > 0L, !is.null(options$beta), !is.null(options$objects))
   if (sum(given) > 1L) {
     abort_usage("a table, `--beta` and `--objects` exclude each other", verb = verb)
   }
-  if (given[1]) return(cli_read_table(words, state))
+  if (given[1]) return(cli_option_columns(cli_read_table(words, state), arguments))
   if (given[2]) return(as_table(beta = options$beta))
   if (given[3]) return(options$objects)
   rolling_objects()
 }
 
 cli_run_roll <- function(words, options, state) {
-  objects <- cli_rolling_bodies(words, options, state, "roll")
-  arguments <- list(
-    incline_angle_deg = options[["angle-deg"]], height_drop_m = options[["height-m"]],
-    gravity_m_per_s2 = options[["gravity-m-per-s2"]]
+  columns <- c(
+    "angle-deg" = "incline_angle_deg", "height-m" = "height_drop_m",
+    "gravity-m-per-s2" = "gravity_m_per_s2"
   )
+  objects <- cli_rolling_bodies(words, options, state, "roll", columns)
+  arguments <- stats::setNames(options[names(columns)], columns)
   if (is.data.frame(objects)) arguments <- arguments[setdiff(names(arguments), names(objects))]
   list(table = do.call(rolling_table, c(list(objects), arguments), quote = TRUE))
 }
 
 cli_run_race <- function(words, options, state) {
-  race <- roll_race(
-    cli_rolling_bodies(words, options, state, "race"), options[["angle-deg"]],
-    options[["length-m"]], static_friction = options[["static-friction"]],
-    gravity_m_per_s2 = options[["gravity-m-per-s2"]], frames = options$frames %||% 2
+  columns <- c(
+    "angle-deg" = "incline_angle_deg", "length-m" = "length_m",
+    "static-friction" = "static_friction", "gravity-m-per-s2" = "gravity_m_per_s2"
+  )
+  objects <- cli_rolling_bodies(words, options, state, "race", columns)
+  if (is.data.frame(objects) && "frames" %in% names(objects)) {
+    abort_input("`frames` is no column of bodies; the option `--frames` is for all of them")
+  }
+  arguments <- stats::setNames(options[names(columns)], columns)
+  race <- do.call(
+    roll_race, c(list(objects), arguments, list(frames = options$frames %||% 2)), quote = TRUE
   )
   list(table = if (is.null(options$frames)) summary(race) else race)
 }
@@ -512,7 +542,15 @@ cli_run_check_inertia <- function(words, options, state) {
 `%|NA|%` <- function(x, y) if (is.na(x)) y else x
 
 cli_run_tumble <- function(words, options, state) {
-  list(table = tumbling_table(cli_read_table(words, state), options[["time-s"]]))
+  bodies <- cli_read_table(words, state)
+  time_s <- options[["time-s"]]
+  if (is.null(time_s) == is.null(bodies[["time_s"]])) {
+    abort_usage(
+      if (is.null(time_s)) "`--time-s` is missing" else
+        "`--time-s` and a column `time_s` exclude each other", verb = "tumble"
+    )
+  }
+  list(table = tumbling_table(bodies, time_s %||% bodies[["time_s"]]))
 }
 
 cli_run_precess <- function(words, options, state) {

@@ -365,6 +365,67 @@ test_that("input with a zero byte is refused", {
   })
 })
 
+test_that("a column named as an option replaces it; nearly so, it is refused", {
+  acceleration <- function(...) {
+    utils::read.csv(text = cli(..., "-", input = lines)$out)$acceleration_m_per_s2
+  }
+  for (name in c("angle_deg", "incline_angle_deg")) {
+    lines <- c(paste0("beta,", name), "0.4,30", "0.4,-30")
+    expect_equal(acceleration("roll"), c(1, -1) * 9.80665 * 0.5 / 1.4, tolerance = 1e-15)
+    lines <- lines[1:2]
+    expect_equal(acceleration("race"), 9.80665 * 0.5 / 1.4, tolerance = 1e-15)
+  }
+  for (name in c("height_m", "height_drop_m")) {
+    said <- cli("roll", "-", input = c(paste0("beta,", name), "0.4,2"))
+    expect_identical(said$status, 0L)
+    expect_equal(
+      utils::read.csv(text = said$out)$final_speed_m_per_s, sqrt(4 * 9.80665 / 1.4),
+      tolerance = 1e-15
+    )
+  }
+  lines <- c("beta,gravity_m_per_s2,angle_deg", "1,1.62,90")
+  expect_equal(acceleration("roll"), 0.81, tolerance = 1e-15)
+  expect_equal(acceleration("race"), 0.81, tolerance = 1e-15)
+  refused <- function(verb, name, words = paste("unknown column", name)) {
+    row <- if (grepl(",", name)) "0.4,30,20" else "0.4,30"
+    said <- cli(verb, "-", input = c(paste0("beta,", name), row))
+    expect_identical(said[c("status", "out")], list(status = 3L, out = character()), info = name)
+    expect_match(said$err[1], words, fixed = TRUE)
+  }
+  for (verb in c("roll", "race")) {
+    for (name in c("angle_dg", "angle-deg", "angle", "incline_angle", "gravity")) {
+      refused(verb, name)
+    }
+    refused(verb, "angle_deg,incline_angle_deg", "exclude each other")
+  }
+  refused("roll", "heigth_m")
+  refused("race", "frames", "`frames` is no column of bodies")
+  # Other columns are kept.
+  said <- cli("roll", "-", input = c("beta,temperature_k,object", "0.4,300,ball"))
+  expect_match(said$out[2], "^0.4,300,ball,2.39576")
+})
+
+test_that("tumble takes one time, by option or by column", {
+  names <- "ixx_kg_m2,iyy_kg_m2,izz_kg_m2,omega_x_rad_per_s,omega_y_rad_per_s,omega_z_rad_per_s"
+  row <- "1,2,2.5,0.01,1,0"
+  last <- function(...) {
+    rows <- utils::read.csv(text = cli("tumble", "-", ...)$out)
+    rows[c("final_qx", "final_omega_y_rad_per_s")]
+  }
+  both <- last(input = c(paste0(names, ",time_s"), paste0(row, ",10"), paste0(row, ",77")))
+  for (i in 1:2) {
+    one <- last("--time-s", c("10", "77")[i], input = c(names, row))
+    expect_identical(unlist(both[i, ]), unlist(one))
+  }
+  said <- cli("tumble", "-", input = c(names, row))
+  expect_identical(said$status, 2L)
+  expect_match(said$err[1], "`--time-s` is missing", fixed = TRUE)
+  table <- paste0(c(names, row), c(",time_s", ",1"))
+  said <- cli("tumble", "-", "--time-s", "1", input = table)
+  expect_identical(said[c("status", "out")], list(status = 2L, out = character()))
+  expect_match(said$err[1], "exclude each other", fixed = TRUE)
+})
+
 test_that("cells beyond the names are refused, and dropped where all are empty", {
   roll <- function(...) cli("roll", "-", input = c(...))
   plain <- roll("beta,incline_angle_deg", "0.4,20", "0.5,30")
