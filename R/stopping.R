@@ -114,7 +114,9 @@ stops_at_rest <- function(...) {
 # The time from which a motion that ends at rest is at rest, and its row: NULL if it is not seen to
 # end so in 4^10 s beyond the last change of a law. `rates`: the columns that are 0 at rest.
 rest_of_motion <- function(scene, rates, call) {
-  changes <- last_change(list(scene[["torque"]], scene[["force"]]))
+  changes <- last_change(list(
+    scene[["torque"]], scene[["force"]], scene[["brake"]], scene[["couplings"]]
+  ))
   if (changes == Inf) {
     abort_rotdyn(c(
       "What drives this scene changes in time, or is a function: no stop is known to be for good.",
@@ -130,17 +132,36 @@ rest_of_motion <- function(scene, rates, call) {
     )
     if (is.null(motion)) return(NULL)
     if (all(vapply(rates, function(name) all(motion[[name]] == 0), NA))) {
-      at <- max(scene$start_s, trajectory_run(motion)$events$time_s)
-      return(list(time_s = at, row = run(at)))
+      at <- rest_begins(
+        run, sort(unique(c(scene$start_s, trajectory_run(motion)$events$time_s))), rates
+      )
+      return(if (!is.na(at)) list(time_s = at, row = run(at)))
     }
   }
   NULL
+}
+
+# The first of the times of events from which on the body is at rest at them and between them. NA: it
+# moves at the last one. A speed that fades becomes 0 by underflow, long after the last event.
+rest_begins <- function(run, events, rates) {
+  time_s <- sort(c(events, (events[-1] + events[-length(events)]) / 2))
+  rows <- run(time_s)
+  still <- Reduce(`&`, lapply(rates, function(name) {
+    size <- abs(matrix(rows[[name]], ncol = length(time_s)))
+    colSums(size > 1e-6 * max(size)) == 0
+  }))
+  from <- max(0, which(!still)) + 1
+  events[events >= time_s[from]][1]
 }
 
 # Of laws: the time of the last knot, -Inf where nothing changes in time, Inf where it goes on.
 last_change <- function(law) {
   if (inherits(law, "rot_torque_sum")) law <- law$laws
   if (inherits(law, "rot_torque_knots")) return(max(-Inf, law$time_s))
+  if (inherits(law, c("rot_brake", "rot_coupling"))) {
+    limits <- c(law$from_s, law$to_s)
+    return(max(-Inf, limits[is.finite(limits)], last_change(law[["capacity_n_m"]])))
+  }
   if (inherits(law, c("rot_torque_motor", "rot_torque_spring", "rot_torque_gravity")) ||
         is.null(law) || is.numeric(law)) {
     return(-Inf)

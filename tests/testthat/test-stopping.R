@@ -127,3 +127,23 @@ test_that("what does not stop, or cannot be known to, is refused", {
   refused(scene_incline(body_sphere(1, 0.1), 0, force = function(t) sin(t)))
   expect_error(stopping(3), class = "rotdyn_error_type")
 })
+
+test_that("a brake or a clutch that is released ends no motion", {
+  refused <- function(scene) expect_error(stopping(scene), class = "rotdyn_error_model")
+  refused(scene_axle(1, 1, brake = brake(5, to_s = 100)))
+  # It fades for ever.
+  refused(scene_axle(
+    2, NULL, resistance(0.1), omega0_rad_per_s = 50, brake = brake(1, from_s = 1, to_s = 2)
+  ))
+  refused(scene_drive(1, torque = 1, brake = brake(torque_knots(c(0, 50, 100), c(5, 5, 0)))))
+  refused(scene_drive(
+    c(1, 1), coupling_clutch(2, to_s = 100), torque = c(1, 0),
+    resistance = list(NULL, resistance(coulomb_n_m = 3))
+  ))
+  # One that is put on later: 50 - 2 t from 3 s on.
+  late <- stopping(scene_axle(1, NULL, omega0_rad_per_s = 50, brake = brake(2, from_s = 3)))
+  expect_equal(late$stop_time_s, 28, tolerance = 1e-9)
+  # Released at rest, where nothing drives.
+  rests <- stopping(scene_axle(1, NULL, omega0_rad_per_s = 4, brake = brake(2, to_s = 10)))
+  expect_equal(rests$stop_time_s, 2, tolerance = 1e-9)
+})
