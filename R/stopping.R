@@ -141,8 +141,8 @@ rest_of_motion <- function(scene, rates, call) {
   NULL
 }
 
-# The first of the times of events from which on the body is at rest at them and between them. NA: it
-# moves at the last one. A speed that fades becomes 0 by underflow, long after the last event.
+# The first of the times of events from which on the body is at rest at them and between them. NA:
+# it moves at the last one. A speed that fades becomes 0 by underflow, long after the last event.
 rest_begins <- function(run, events, rates) {
   time_s <- sort(c(events, (events[-1] + events[-length(events)]) / 2))
   rows <- run(time_s)
