@@ -11,7 +11,8 @@ lab_max_rows <- 4001L
 #' events, the R code that gives the same numbers, a link that brings the set-up back, the rows as
 #' CSV, pictures (SVG, PNG) and a film of the motion (WebM, or MP4 where the browser records that).
 #' One file: it needs no server, no network and no R, and asks nobody for anything; so it can
-#' be opened from a disk, put on a web server or uploaded to a course page.
+#' be opened from a disk, put on a web server or uploaded to a course page. It needs a browser of
+#' 2023 or later: Chrome and Edge 80, Firefox 113, Safari 16.4.
 #'
 #' In R Markdown, Quarto and the site a lab that a chunk returns is an element of the document; the
 #' core is in the document once, however many labs it has. Where the document is not HTML, a

@@ -138,8 +138,7 @@ static int weighs(const rot_free_params *p) {
  * conserved. */
 size_t rot_pivot_conserved(const void *scene, size_t balance, const char *why[]) {
   const rot_free_params *p = scene;
-  const int acts = p->law || p->n_knots || p->damping_per_s != 0.0 || p->torque[0] != 0.0 ||
-                   p->torque[1] != 0.0 || p->torque[2] != 0.0;
+  const int acts = rot_pivot_is_driven(p);
   size_t n = 0;
   if ((balance == 1 || balance == 2) && weighs(p)) {
     why[n++] = "gravity has a torque across the vertical";

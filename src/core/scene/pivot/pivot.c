@@ -197,10 +197,14 @@ void rot_pivot_lever(const rot_free_params *p, const double q[4], double lever[3
   rot_attitude_to_space(q, own, lever);
 }
 
+int rot_pivot_is_driven(const rot_free_params *p) {
+  return p->law || p->n_knots || p->damping_per_s != 0.0 || p->torque[0] != 0.0 ||
+         p->torque[1] != 0.0 || p->torque[2] != 0.0;
+}
+
 rot_status rot_pivot_nutation(const rot_free_params *p, double out[4]) {
   run r;
-  int acts = p->law || p->motors || p->n_knots || p->damping_per_s != 0.0 || p->torque[0] != 0.0 ||
-             p->torque[1] != 0.0 || p->torque[2] != 0.0;
+  int acts = rot_pivot_is_driven(p) || p->motors;
   /* A rotor of constant speed is part of the closed form. */
   for (size_t i = 0; i < p->n_rotors; i++) {
     acts |= p->rotors[i].torque != 0.0 || p->rotors[i].n_knots;

@@ -5,6 +5,9 @@
 
 #include "scene/free/free.h"
 
+/* 1 if a torque other than that of gravity, or the damping acts, else 0. */
+int rot_pivot_is_driven(const rot_free_params *p);
+
 /* parameters => NULL, or why the body is no symmetric top: the lever is not along a principal axis,
  * or the moments across it differ. */
 const char *rot_pivot_not_top(const rot_free_params *p);
