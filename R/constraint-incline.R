@@ -143,15 +143,18 @@ incline_stops <- function(scene, call) {
       terminal_v_m_per_s = 0
     ))
   }
-  # In closed form the last acceleration is constant.
   late <- scene$start_s + c(0.5, 1) * 4^10
   v <- tryCatch(
-    compute_trajectory(scene, late, 1e-9, "incline_exact", "abort", 1e6, call)$v_m_per_s,
+    compute_trajectory(scene, late, 1e-9, NULL, "abort", 1e6, call)$v_m_per_s,
     rotdyn_error = function(e) abort_no_stop(call)
   )
   steady <- abs(v[2] - v[1]) <= 1e-9 * abs(v[2])
+  # Without drag the last acceleration is constant; with drag the speed tends to a balance.
+  drags <- any(c("drag", "quadratic") %in% core_effects("incline", scene))
+  fades <- drags && is.null(scene$force) && scene$incline_angle_deg == 0
+  if (drags && !steady && !fades) abort_no_stop(call)
   as_table(
     stop_time_s = Inf, stop_x_m = NaN, stop_theta_rad = NaN,
-    terminal_v_m_per_s = if (steady) v[2] else sign(v[2]) * Inf
+    terminal_v_m_per_s = if (fades) 0 else if (steady) v[2] else sign(v[2]) * Inf
   )
 }

@@ -70,3 +70,20 @@ test_that("a motion that cannot be computed again has no work", {
   attr(motion, "run") <- replace(run, c("ledger", "max_steps"), list(NULL, 1))
   expect_error(augment(motion), class = "rotdyn_error_range")
 })
+
+test_that("impulses at rows within a phase at rest are those of the torque", {
+  # At most 0.2 N m holds 0.3 cos(t) for a part of each half period.
+  time_s <- seq(0, 20, 0.01)
+  friction <- resistance(coulomb_n_m = 0.2)
+  waves <- list(
+    torque_sinusoid(0.3, 1), torque_function(function(time_s) 0.3 * cos(time_s))
+  )
+  for (wave in waves) {
+    x <- augment(trajectory(scene_axle(1, wave, friction), time_s))
+    expect_true(any(x$omega_rad_per_s[-1] == 0))
+    expect_equal(x$torque_impulse_n_m_s, 0.3 * sin(time_s), tolerance = 1e-11)
+    expect_equal(
+      x$torque_impulse_n_m_s + x$damping_impulse_n_m_s, x$omega_rad_per_s, tolerance = 1e-9
+    )
+  }
+})

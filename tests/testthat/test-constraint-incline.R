@@ -65,3 +65,20 @@ test_that("rolling resistance slows a body that turns, also where friction is th
   expect_equal(turning(-0.5 * resists / 0.1, -3), 1.5 * resists)
   expect_equal(turning(2 * resists / 0.1, 3), -3 * resists)
 })
+
+test_that("a rolling body that drag alone slows fades to the last and never reverses", {
+  scene <- scene_incline(
+    body_sphere(1.3, 0.1), 0, v0_m_per_s = 3, omega0_rad_per_s = 30,
+    resistance = resistance(drag_n_s_per_m = 0.2)
+  )
+  time_s <- c(1, 100, 350, 1000)
+  motion <- trajectory(scene, time_s)
+  # m + I/r^2 = 7 m/5.
+  expect_equal(
+    motion$v_m_per_s, 3 * exp(-0.2 * time_s / (1.3 * 1.4)), tolerance = 1e-9
+  )
+  expect_true(all(motion$v_m_per_s >= 0))
+  late <- trajectory(scene, c(time_s, 1e5, 1e6))
+  expect_identical(glance(late)$model, "incline_radau")
+  expect_identical(nrow(motion_events(motion)) + nrow(motion_events(late)), 0L)
+})

@@ -41,3 +41,56 @@ test_that("a start at rest on a jump of the angle that pushes back is refused at
   spring <- trajectory(start(function(t, theta, omega) -1e6 * (theta - (1 + 1e-16))), 0:1)
   expect_lt(max(abs(spring$omega_rad_per_s)), 1e-9)
 })
+
+test_that("a start at rest where terms cancel is no step too short", {
+  # A torque of 0.03 N m of terms of 1 N m: the rounding of its slope is 5e-15 of the motion.
+  coefficients <- rbind(
+    c(-0.48764084677932834, 0.3762002102299001, -0.3792937345604985),
+    c(-0.3456973735749497, -0.9158399735967073, -0.012408419582237398)
+  )
+  law <- torque_polynomial(c(-0.790731, 0.9724858, 2.24539), coefficients) +
+    torque_gravity(7.447971239145335 / 9.80665, 1, 0.09757057021603766) +
+    torque_curve(
+      c(-4.090072393105202, -0.9298759027728205, 1.6813148810731788, 2.0945612714230926),
+      c(-1.0365293663466921, -1.0558298300026272, -0.17003836872238506, 1.2687400690731936)
+    )
+  scene <- scene_axle(0.4232791638531954, law, start_s = -1.7)
+  ends <- c(0.9, 1.3, 2.3, 4.2, 5.6)
+  omega <- vapply(ends, function(end) {
+    trajectory(scene, end, accuracy = 1e-12)$omega_rad_per_s
+  }, 1)
+  expect_equal(trajectory(scene, ends)$omega_rad_per_s, omega, tolerance = 1e-8)
+})
+
+test_that("a start at rest at a zero of the torque is that of any other period", {
+  from <- function(start_s, time_s = 1:3) {
+    law <- torque_sinusoid(1, 2 * pi, -pi / 2)
+    scene <- scene_axle(1, law, resistance(quadratic_n_m_s2 = 0.1), start_s = start_s)
+    trajectory(scene, start_s + time_s)$omega_rad_per_s
+  }
+  for (start_s in c(1, 2, 3, 17, -1, -5)) {
+    expect_equal(from(start_s), from(0), tolerance = 1e-9)
+    expect_equal(from(start_s, -3:-1), from(0, -3:-1), tolerance = 1e-9)
+  }
+  expect_equal(from(0.5), -from(0), tolerance = 1e-9)
+})
+
+test_that("a span of a few roundings of the time is one step", {
+  start_s <- 3 * 0.1
+  scene <- scene_pendulum(body_point(1), 1, resistance(0.1), theta0_rad = 1, start_s = start_s)
+  rows <- trajectory(scene, c(0.3, 1))
+  later <- trajectory(scene, c(start_s, 1))
+  expect_equal(rows$theta_rad, later$theta_rad, tolerance = 1e-12)
+})
+
+test_that("two torques that vanish at rest let a motion fade, which never reverses", {
+  # (t in s) omega' = -0.3 omega below 1 rad/s, and drag: omega = 1/((1 + k) exp(0.3 t) - k).
+  still <- torque_curve(c(-1, 0, 1), c(0.1, 0, -0.1)) + torque_curve(c(-1, 0, 1), c(0.2, 0, -0.2))
+  scene <- scene_axle(1, still, resistance(quadratic_n_m_s2 = 0.1), omega0_rad_per_s = 1)
+  time_s <- c(1, 10, 50, 300, 1000)
+  motion <- trajectory(scene, time_s)
+  k <- 0.1 / 0.3
+  expect_equal(motion$omega_rad_per_s, 1 / ((1 + k) * exp(0.3 * time_s) - k), tolerance = 1e-9)
+  expect_true(all(motion$omega_rad_per_s > 0))
+  expect_identical(nrow(motion_events(motion)), 0L)
+})

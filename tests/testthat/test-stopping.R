@@ -128,6 +128,27 @@ test_that("what does not stop, or cannot be known to, is refused", {
   expect_error(stopping(3), class = "rotdyn_error_type")
 })
 
+test_that("drag alone stops no body on an incline: its terminal speed", {
+  roll <- function(angle_deg, ..., force = NULL) {
+    scene <- scene_incline(
+      body_sphere(1.3, 0.1), angle_deg, v0_m_per_s = 3, omega0_rad_per_s = 30,
+      static_friction = 0.5, resistance = resistance(...), force = force
+    )
+    x <- stopping(scene)
+    expect_identical(c(x$stop_time_s, x$stop_x_m), c(Inf, NaN))
+    x$terminal_v_m_per_s
+  }
+  expect_identical(roll(0, drag_n_s_per_m = 0.2), 0)
+  expect_identical(roll(0, drag_n_s2_per_m2 = 0.2), 0)
+  # Where drag balances gravity, or the force.
+  weight_n <- 1.3 * 9.80665 * sin(pi / 18)
+  expect_equal(roll(10, drag_n_s_per_m = 0.2), weight_n / 0.2, tolerance = 1e-9)
+  expect_equal(roll(10, drag_n_s2_per_m2 = 0.2), sqrt(weight_n / 0.2), tolerance = 1e-9)
+  expect_equal(roll(0, drag_n_s2_per_m2 = 0.2, force = 1), sqrt(5), tolerance = 1e-9)
+  expect_identical(roll(10), Inf)
+  expect_equal(roll(0), 3, tolerance = 1e-12)
+})
+
 test_that("a brake or a clutch that is released ends no motion", {
   refused <- function(scene) expect_error(stopping(scene), class = "rotdyn_error_model")
   refused(scene_axle(1, 1, brake = brake(5, to_s = 100)))

@@ -68,18 +68,21 @@ static void note_stiffness(rot_ode_stiffness *s, double t, const double y[], con
   const rot_ode_params *p = s->p;
   if (t == s->t) {
     double difference = 0.0, rise = 0.0;
+    int resolved = 0;
     for (size_t i = 0; i < p->controlled; i++) {
       s->y[i] -= y[i];
       s->f[i] -= f[i];
     }
     for (size_t m = 0; m < rot_ode_steering(p); m++) {
       const rot_ode_group g = rot_ode_group_of(p, m);
-      const double size = fmax(ROT_ODE_MIN_SIZE, fmax(s->largest[m], rot_ode_size(g, y)));
+      const double now = rot_ode_size(g, y),
+                   size = fmax(ROT_ODE_MIN_SIZE, fmax(s->largest[m], now));
+      resolved |= rot_ode_rate(g, s->y) > 64.0 * ROT_EPS * now;
       difference = fmax(difference, rot_ode_rate(g, s->y) / size);
       rise = fmax(rise, rot_ode_rate(g, s->f) / size);
     }
     /* Differences at rounding level say nothing about stiffness. */
-    s->rate = difference > 64.0 * ROT_EPS ? rise / difference : 0.0;
+    s->rate = resolved ? rise / difference : 0.0;
   }
   s->t = t;
   memcpy(s->y, y, p->controlled * sizeof *y);

@@ -12,7 +12,7 @@
 #include "ground/real.h"
 
 #define MIN_TOLERANCE 1e-13 /* finer steps than half of these: rounding is all one sees */
-#define MIN_FINE      1e-15 /* of a reference run: below, its error test would reject rounding */
+#define MIN_FINE      1e-13 /* of a reference run: below, its error test may reject rounding */
 #define MAX_TOLERANCE 3e-3
 
 /* ---- the error estimate ---------------------------------------------------------------------- */

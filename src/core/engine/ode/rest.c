@@ -10,6 +10,9 @@ static const double held_at[HELD_POINTS] = {
     0.0, 0.5 - 0.5 * 0.81649658092772603273, 0.5 - 0.5 * 0.44721359549995793928,
     0.5, 0.5 + 0.5 * 0.44721359549995793928, 0.5 + 0.5 * 0.81649658092772603273,
     1.0};
+static const double held_weight[HELD_POINTS] = {77.0 / 2940.0,  432.0 / 2940.0, 625.0 / 2940.0,
+                                                672.0 / 2940.0, 625.0 / 2940.0, 432.0 / 2940.0,
+                                                77.0 / 2940.0};
 
 rot_status rot_ode_held_slope(rot_ode_rest *r, double t, double *drive, double *excess) {
   const rot_status status = rot_ode_slope_at(r->law, t, r->state->y, r->step->trial_slope);
@@ -28,7 +31,6 @@ rot_status rot_ode_held_slope(rot_ode_rest *r, double t, double *drive, double *
  * how far the two rules differ. trial = y at its end, trial_slope the slope there. */
 static rot_status held_segment(rot_ode_rest *r, double h, double drive[], double excess[],
                                int *loose, double *difference) {
-  static const double kronrod[HELD_POINTS] = {77.0, 432.0, 625.0, 672.0, 625.0, 432.0, 77.0};
   const size_t dim = r->law->p->dim, driver = r->law->p->turn->driver;
   double four = 0.0, seven = 0.0;
   memcpy(r->step->trial, r->state->y, dim * sizeof *r->state->y);
@@ -39,13 +41,25 @@ static rot_status held_segment(rot_ode_rest *r, double h, double drive[], double
     if (status != ROT_OK) return status;
     if (excess[k] > 0.0 && *loose == HELD_POINTS) *loose = k;
     for (size_t i = r->law->p->controlled; i < dim; i++) {
-      r->step->trial[i] += h * (kronrod[k] / 2940.0) * r->step->trial_slope[i];
+      r->step->trial[i] += h * held_weight[k] * r->step->trial_slope[i];
     }
-    seven += kronrod[k] / 2940.0 * r->step->trial_slope[driver];
+    seven += held_weight[k] * r->step->trial_slope[driver];
     if (k == 0 || k == 6) four += r->step->trial_slope[driver] / 12.0;
     if (k == 2 || k == 4) four += r->step->trial_slope[driver] * 5.0 / 12.0;
   }
   *difference = fabs(seven - four);
+  return ROT_OK;
+}
+
+rot_status rot_ode_integrals_at_rest(rot_ode_law *law, double t, double h, const double from[],
+                                     double y[], double slope[]) {
+  memcpy(y, from, law->p->dim * sizeof *y);
+  for (int k = 0; k < HELD_POINTS; k++) {
+    const double at = k + 1 < HELD_POINTS ? t + held_at[k] * h : t + h;
+    const rot_status status = rot_ode_slope_at(law, at, from, slope);
+    if (status != ROT_OK) return status;
+    for (size_t i = law->p->controlled; i < law->p->dim; i++) y[i] += h * held_weight[k] * slope[i];
+  }
   return ROT_OK;
 }
 

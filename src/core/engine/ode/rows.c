@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "engine/ode/norm.h"
+#include "engine/ode/rest.h"
 #include "ground/search.h"
 
 int rot_ode_rows_within(const rot_ode_output *out, double a, double b) {
@@ -179,7 +180,10 @@ static int row_between(rot_ode_rows *r, size_t i, double t, int held) {
   for (size_t k = 0; k < p->dim; k++) {
     r->row[k] = rot_dense_at(&r->form[k], t, NULL, &r->change[k], NULL);
   }
-  for (size_t m = 0; m < rot_ode_steering(p) && !held; m++) {
+  /* At rest the integrals alone go on. */
+  const size_t first = held ? rot_ode_steering(p) : 0;
+  const size_t end = held ? rot_ode_measures(p) : rot_ode_steering(p);
+  for (size_t m = first; m < end; m++) {
     const double fraction = rot_ode_rate(rot_ode_group_of(p, m), r->change);
     if (!(fraction <= MAX_FRACTION * p->accuracy * r->state->largest[m])) return 0;
     r->fraction[m] = fmax(r->fraction[m], FRACTION_COUNT * fraction);
@@ -208,6 +212,15 @@ static int correction(rot_ode_rows *r) {
   if (rot_ode_slope_at(r->law, t, r->row, r->change) != ROT_OK) return 0;
   for (size_t i = 0; i < r->law->p->dim; i++) rot_dense_correct(&form[i], r->change[i]);
   return 1;
+}
+
+/* A row at rest between two nodes, which are too far away for polynomials of its integrals. */
+static rot_status row_at_rest(rot_ode_rows *r, const double *node, double t) {
+  const double h = t - node[0];
+  const rot_status status =
+      rot_ode_integrals_at_rest(r->law, node[0], h, node + 1, r->row, r->change);
+  if (status == ROT_OK) row_is(r, r->row, r->change[r->law->p->sloped]);
+  return status;
 }
 
 /* A node of its own for a row, or for the middle of an interval with several. */
@@ -249,11 +262,15 @@ rot_status rot_ode_fill_rows(rot_ode_rows *r, int whole_segment) {
     }
     const int by_steps = r->step->fixed_s > 0.0 && !held;
     if (!by_steps) form(r, i);
-    const int enough = !by_steps && (held || r->form[0].terms >= 4 * (d->slopes ? 2 : 1));
+    const int enough = !by_steps && r->form[0].terms >= 4 * (d->slopes ? 2 : 1);
     int filled = enough && !in_transient(r, node, t) && row_between(r, i, t, held);
     while (enough && !filled && correction(r)) filled = row_between(r, i, t, held);
     if (r->law->status != ROT_OK && r->law->status != ROT_ERHS) return r->law->status;
     if (filled) continue;
+    if (held) {
+      status = row_at_rest(r, node, t);
+      continue;
+    }
     size_t rows = 1;
     while (!by_steps && r->done + rows < r->total && rows < 3) {
       const double next = r->out.time_s[r->clock->forward ? row_now(r) + rows : row_now(r) - rows];

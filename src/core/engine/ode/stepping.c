@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "engine/ode/norm.h"
+#include "ground/real.h"
 
 /* ---- segments ------------------------------------------------------------------------------- */
 
@@ -14,6 +15,36 @@ static rot_status log_event(const rot_ode_stepping *run, rot_event event) {
   const int stick = event == ROT_EVENT_STICK, swaps = stick || event == ROT_EVENT_SLIP;
   if (!run->clock.forward && swaps) event = stick ? ROT_EVENT_SLIP : ROT_EVENT_STICK;
   return rot_events_add(run->p->log, run->clock.t, event);
+}
+
+/* A drive within the rounding of the time of its zero: that of some roundings later, and its
+ * direction is a guess. */
+static rot_status look_beyond_rounding(rot_ode_stepping *run, double *drive, int *guess) {
+  const double beyond = rot_ode_direction(&run->clock) * 8.0 * ROT_EPS * fabs(run->clock.t);
+  double later, unused;
+  const rot_status status = rot_ode_held_slope(&run->rest, run->clock.t + beyond, &later, &unused);
+  if (status != ROT_OK) return status;
+  *guess = !(later * *drive > 0.0);
+  if (*guess) *drive = later;
+  return ROT_OK;
+}
+
+static double largest_of(const rot_ode_stepping *run, size_t component) {
+  size_t m = 0;
+  while (rot_ode_group_of(run->p, m).first != component) m++;
+  return run->state.largest[m];
+}
+
+/* At rest and not driven, now or a step later: a motion that fades, which reaches zero by rounding
+ * alone and never passes it. It goes on within the rounding. */
+static rot_status is_still(rot_ode_stepping *run, double drive, int *still) {
+  double later = drive, unused;
+  rot_status status = ROT_OK;
+  if (drive == 0.0) {
+    status = rot_ode_held_slope(&run->rest, run->clock.t + run->step.h, &later, &unused);
+  }
+  *still = status == ROT_OK && later == 0.0;
+  return rot_ode_may_retry(status) ? ROT_OK : status;
 }
 
 /* The mode of a switch from here on. `was`: the mode before, 2 at the start of a run. */
@@ -37,9 +68,18 @@ static rot_status choose_mode(rot_ode_stepping *run, int was) {
     run->state.phase = ROT_ODE_HELD;
     return was == 1 || was == -1 ? log_event(run, ROT_EVENT_STICK) : ROT_OK;
   }
+  int guess = drive == 0.0, still = 0;
+  if (was == 1 || was == -1) status = is_still(run, drive, &still);
+  if (still) {
+    run->state.y[turn->watched] = was * ROT_EPS * largest_of(run, turn->watched);
+    *mode = was;
+    return status;
+  }
+  if (status == ROT_OK && turn->holds == 0.0 && !guess)
+    status = look_beyond_rounding(run, &drive, &guess);
   const int direction = drive > 0.0 ? 1 : drive < 0.0 ? -1 : was == 1 ? -1 : 1;
   const int chosen = run->clock.forward || drive == 0.0 ? direction : -direction;
-  run->state.phase = drive == 0.0 ? ROT_ODE_UNDECIDED : ROT_ODE_LEAVING;
+  run->state.phase = guess ? ROT_ODE_UNDECIDED : ROT_ODE_LEAVING;
   if (turn->holds > 0.0) { /* in the other direction nothing cancels: the rounding of the slope */
     double unused;
     *mode = -chosen;
@@ -195,6 +235,7 @@ static void begin(rot_ode_stepping *run, double end, int forward, int first_mode
   run->state.slope_known = 0;
   run->clock = rot_ode_clock_at_start(p, end, forward);
   run->step.h = (end - p->start_s) / 100.0;
+  if (p->start_s + run->step.h == p->start_s) run->step.h = end - p->start_s;
   run->limit = INFINITY;
   run->reference.at = 0;
   run->rest.grace = forward ? -INFINITY : INFINITY;

@@ -43,6 +43,7 @@ typedef struct motion {
   rot_incline_contact on;
   int mode;          /* see mode_of() */
   double max;        /* largest speed so far, m/s */
+  double v;          /* the last one beyond rounding, m/s */
   rot_status failed; /* status of an event function, returned by the next rhs */
   rot_events *events;
   size_t n_changes, room;
@@ -216,11 +217,22 @@ static rot_ode_then at_limit(double t, double y[], int *mode, int forward, void 
   return settle_at(t, y, mode, ctx, STICK_ENDS);
 }
 
-/* Quadratic drag has a kink where v changes its sign: a new segment. */
+/* Where nothing moves a body at rest, its motion fades: it reaches zero by rounding alone, and does
+ * not reverse, but goes on within the rounding. Quadratic drag has a kink where v changes its sign:
+ * a new segment. */
 static rot_ode_then at_turn(double t, double y[], int *mode, int forward, void *ctx) {
   motion *m = ctx;
+  const directions at = directions_of(m->mode);
+  forces f;
   (void)mode, (void)forward;
-  const rot_status status = keep_change(m, t, y);
+  rot_status status = pull_at(m, t, y[TRAVEL], 0.0, &f);
+  if (status == ROT_OK && rot_incline_forces_of(&m->on, f.pull, at).v == 0.0) {
+    if (m->events && m->events->count) m->events->count--;
+    y[SPEED] = copysign(ROT_EPS * m->max, m->v);
+    if (at.slip == 0) y[RIM] = y[SPEED];
+    return ROT_ODE_NEW_SEGMENT;
+  }
+  if (status == ROT_OK) status = keep_change(m, t, y);
   if (status != ROT_OK) m->failed = status;
   return m->scene->drag_n_s2_per_m2 != 0.0 ? ROT_ODE_NEW_SEGMENT : ROT_ODE_GO_ON;
 }
@@ -281,10 +293,15 @@ static void cross_break(double t, double y[], int forward, void *ctx) {
   if (status != ROT_OK) m->failed = status;
 }
 
+/* Below this a speed that fades is none: with denormal numbers a step takes 50 times as long. */
+#define FADED 1e-300
+
 static void note_speed(double t, double y[], void *ctx) {
   motion *m = ctx;
   (void)t;
+  if (fabs(y[SPEED]) < FADED && fabs(y[RIM]) < FADED) y[SPEED] = y[RIM] = 0.0;
   m->max = fmax(m->max, fmax(fabs(y[SPEED]), fabs(y[RIM])));
+  if (fabs(y[SPEED]) > small(m)) m->v = y[SPEED];
 }
 
 /* ---- the scene ------------------------------------------------------------------------------- */
