@@ -143,3 +143,24 @@ test_that("an audit has a budget, and what is not finite is no verdict", {
   long <- trajectory(scene_axle(1, torque_sinusoid(1, 3), resistance(0.1)), c(0, 1e8))
   expect_equal(audit(long)$verdict, c(NA_character_, NA))
 })
+
+test_that("stops within a rounding of their times are within the balance", {
+  # Two short pulses: after each a stop, where the friction changes from its limit to 0.
+  pulses <- rbind(
+    c(2.29555272927973, 0.00405580219044843, 3.72185097641009, 0.00231779895691631),
+    c(1.50983240250498, 0.00155384394646219, 3.08047870642812, 0.0179872556566587)
+  )
+  for (i in 1:2) {
+    for (torque_n_m in seq(0.4, 3, 0.13)) {
+      at <- pulses[i, ]
+      law <- torque_pulse(at[1], at[2], torque_n_m) + torque_pulse(at[3], at[4], 1.3)
+      for (coulomb_n_m in c(0.07, 0.31, 0.77)) {
+        scene <- scene_axle(1, law, resistance(coulomb_n_m = coulomb_n_m))
+        balance <- audit(trajectory(scene, seq(0, 10, 0.05)))
+        expect_true(all(balance$verdict == "balanced"))
+        impulse <- balance[balance$balance == "angular_momentum", ]
+        expect_lt(impulse$rounding, 2e-14)
+      }
+    }
+  }
+})

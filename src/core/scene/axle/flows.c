@@ -261,6 +261,17 @@ static rot_status find_edges(work *w, size_t n, const double time_s[], times *ed
 
 /* ---- quadrature ------------------------------------------------------------------------------ */
 
+/* What the rounding of the time does at panel i's start, where the rates change from those before:
+ * a stop lies within a rounding of its time. */
+static void add_rounding_at(const times *edges, size_t i, const double value[], double error[]) {
+  const double *at = edges->at, here = at[i + 1] - at[i], before = at[i] - at[i - 1];
+  for (int k = 0; k < FLOWS; k++) {
+    const double change =
+        value[i * FLOWS + (size_t)k] / here - value[(i - 1) * FLOWS + (size_t)k] / before;
+    error[k] += ROT_EPS * fabs(at[i] * change);
+  }
+}
+
 /* Flows by quadrature. Uses only omega and the torques of the motion: the balance with the kinetic
  * energy is an independent test. */
 static rot_status by_quadrature(work *w, size_t n, const double time_s[],
@@ -282,6 +293,7 @@ static rot_status by_quadrature(work *w, size_t n, const double time_s[],
                           .size = size};
     status = rot_panels_integrate(&p, rates, w);
   }
+  for (size_t i = 1; i < panels && status == ROT_OK; i++) add_rounding_at(&edges, i, value, error);
   size_t knot = 0;
   for (size_t i = 0, row = 0; i < edges.n && status == ROT_OK; i++) {
     const double t = edges.at[i];
