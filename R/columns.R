@@ -293,7 +293,10 @@ column_list <- list(
   c("hinge_impulse_n_s", "N s", "impulse of the hinge on the body, along that of the particle"),
   c("where", "", "where it happens: \"rotor 1\", \"coupling 1\", ..."),
   c("locked", "", "whether the clutch is locked"),
-  c("lock_time_s", "s", "time until the clutch locks; Inf if it never does"),
+  c(
+    "lock_time_s", "s",
+    "time until the clutch locks; Inf if it never does, of a motion NA if not in its rows"
+  ),
   c("common_omega_rad_per_s", "rad/s", "angular velocity of both bodies when it locks"),
   c("locked_torque_n_m", "N m", "torque transmitted by the locked clutch"),
   c("shaft", "1", "number of the shaft, from 1"),

@@ -26,7 +26,11 @@ clutch_constraint <- function() {
         final_omega_1_rad_per_s = last(x[["omega_1_rad_per_s"]]),
         final_omega_2_rad_per_s = last(x[["omega_2_rad_per_s"]]),
         heat_j = last(x[["heat_j"]]),
-        lock_time_s = c(run$events$time_s[run$events$event == "lock"], NA_real_)[1]
+        lock_time_s = if (isTRUE(x[["locked"]][1])) {
+          x[["time_s"]][1]
+        } else {
+          c(run$events$time_s[run$events$event == "lock"], NA_real_)[1]
+        }
       )
     },
     drawing = draw_clutch,

@@ -60,3 +60,11 @@ test_that("a clutch whose bodies turn alike conserves the energy", {
   expect_false(slips$conserved)
   expect_match(slips$why, "slips")
 })
+
+test_that("the summary's lock time is that of the rows", {
+  lock <- function(...) summary(trajectory(scene_clutch(1, 2, ...), 0:4))$lock_time_s
+  # 10 rad/s of slip, changed by 5 N m (1/1 + 1/2) / (kg m^2).
+  expect_equal(lock(5, omega0_rad_per_s = c(10, 0)), 10 / 7.5, tolerance = 1e-12)
+  expect_identical(lock(5, omega0_rad_per_s = c(3, 3)), 0)
+  expect_identical(lock(0.1, omega0_rad_per_s = c(10, 0)), NA_real_)
+})
