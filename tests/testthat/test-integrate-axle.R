@@ -94,3 +94,27 @@ test_that("two torques that vanish at rest let a motion fade, which never revers
   expect_true(all(motion$omega_rad_per_s > 0))
   expect_identical(nrow(motion_events(motion)), 0L)
 })
+
+test_that("what is at rest where nothing drives it stays there, at once", {
+  both <- resistance(0.1, quadratic_n_m_s2 = 0.1)
+  dry <- resistance(0.1, 0.1, 1)
+  scenes <- list(
+    scene_pendulum(body_point(1), 1, both), scene_pendulum(body_point(1), 1, dry),
+    scene_axle(1, torque_spring(1), both), scene_axle(1, torque_gravity(1, 1), both),
+    scene_axle(1, torque_curve(-1:1, 1:-1), both), scene_axle(1, torque_sinusoid(0.1, 2), dry),
+    scene_drive(c(1, 2), coupling_shaft(10), resistance = list(both, NULL)),
+    scene_drive(c(1, 2), coupling_clutch(10)), scene_incline(body_sphere(1, 0.1), 0),
+    scene_hoop(1, 1, 0, static_friction = 0.1), scene_hoop(1, 1, 2), scene_chain(c(1, 1), 1, 0)
+  )
+  for (scene in scenes) {
+    motion <- trajectory(scene, 0:3)
+    expect_identical(glance(motion)$error, 0)
+    expect_lt(glance(motion)$steps, 1000)
+    rates <- grep("omega|v_m_per_s", names(motion), value = TRUE)
+    expect_true(all(unlist(unclass(motion)[rates]) == 0))
+    expect_true(all(audit(motion)$verdict == "balanced"))
+  }
+  # Past a turning point an overdamped motion fades without events.
+  slow <- trajectory(scene_pendulum(body_point(1), 1, resistance(10, 0.1), theta0_rad = 1), 200)
+  expect_identical(nrow(motion_events(slow)), 0L)
+})

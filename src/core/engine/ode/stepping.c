@@ -69,9 +69,10 @@ static rot_status choose_mode(rot_ode_stepping *run, int was) {
     return was == 1 || was == -1 ? log_event(run, ROT_EVENT_STICK) : ROT_OK;
   }
   int guess = drive == 0.0, still = 0;
-  if (was == 1 || was == -1) status = is_still(run, drive, &still);
+  const double rounding = ROT_EPS * largest_of(run, turn->watched);
+  if ((was == 1 || was == -1) && rounding > 0.0) status = is_still(run, drive, &still);
   if (still) {
-    run->state.y[turn->watched] = was * ROT_EPS * largest_of(run, turn->watched);
+    run->state.y[turn->watched] = was * rounding;
     *mode = was;
     return status;
   }
