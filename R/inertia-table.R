@@ -172,17 +172,17 @@ standard_objects <- function(names = NULL, mass_kg = 1, radius_m = 0.1, length_m
   r <- check_number(radius_m, "radius_m", "m", call, lower = 0)
   l <- check_number(length_m, "length_m", "m", call, lower = 0)
   shapes <- shape_table()
-  values <- list(
+  values <- c(
     radius_m = r, length_m = l, outer_radius_m = r, inner_radius_m = r / 2, base_radius_m = r,
     top_radius_m = r / 2, ring_radius_m = r, tube_radius_m = r / 4, semi_x_m = r,
     semi_y_m = r / 2, semi_z_m = r / 4, width_m = r, height_m = r, edge_m = r, base_m = r,
     apex_m = r / 2, sides = 6
   )
   n <- nrow(shapes)
-  sizes <- lapply(names(values), function(name) {
-    has <- vapply(shapes$names, function(names) name %in% names, logical(1))
-    ifelse(has, values[[name]], NA_real_)
-  })
+  sizes <- matrix(NA_real_, n, length(values), dimnames = list(NULL, names(values)))
+  of <- match(unlist(shapes$names), names(values))
+  sizes[cbind(rep.int(seq_len(n), lengths(shapes$names)), of)] <- values[of]
+  sizes <- lapply(seq_along(values), function(k) sizes[, k])
   names(sizes) <- names(values)
   all <- new_table(
     c(list(object = shapes$shape, mass_kg = rep(mass_kg, n)), sizes), nrow = n
