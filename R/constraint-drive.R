@@ -117,7 +117,7 @@ drive_quantities <- function(scene, kind) {
   gears <- ratio != 1
   each <- function(which, symbol, name, parts) {
     do.call(rbind, lapply(which, function(i) {
-      text <- torque_text(parts[[i]]$capacity_n_m)
+      text <- paste0(torque_text(parts[[i]]$capacity_n_m), acting_text(parts[[i]]))
       quantity(sprintf("%s[%d]", symbol, i), name, text, "resistance")
     }))
   }

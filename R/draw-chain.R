@@ -4,23 +4,20 @@ draw_chain <- function(scene, theta = scene$theta0_rad) {
   n <- length(scene$length_m)
   theta <- rep_len(theta, n)
   at <- chain_places(scene, theta)
-  # Angles from the vertical through the upper end of each link.
+  for (one in chain_marks(scene, theta)) d$add(one)
+  # Angles from the vertical through the upper end of each link, named on its other side.
   if (n <= 4L) {
-    for (i in seq_len(n)) {
+    for (i in which(abs(theta) >= 0.05)) {
       long <- 0.35 * scene$length_m[i] / sum(scene$length_m)
       down <- rbind(at[i, ], at[i, ] - c(0, 1.5 * long))
       d$add(mark("line", down, "dashed"))
       d$add(mark("line", draw_arc(
         at[i, 1], at[i, 2], long, -90, -90 + theta[i] * 180 / pi
       ), "resistance"))
-      half <- theta[i] / 2
-      if (abs(theta[i]) > 0.1) {
-        d$say(if (n == 1L) "theta" else paste0("theta[", i, "]"),
-              at[i, 1] + (long + 0.06) * sin(half), at[i, 2] - (long + 0.06) * cos(half))
-      }
+      symbol <- if (n == 1L) "theta" else paste0("theta[", i, "]")
+      d$say(symbol, at[i, 1] - 0.07 * sign(theta[i]), at[i, 2] - long)
     }
   }
-  for (one in chain_marks(scene, theta)) d$add(one)
   shown <- function(x, unit) {
     if (length(unique(x)) == 1L) x <- x[1]
     more <- if (length(x) > 4L) ", ..."

@@ -15,6 +15,9 @@ draw_hoop <- function(scene, theta = scene$theta0_rad) {
     d$add(mark("arrow", cbind(0.3 * cos(arc), 1.3 + 0.1 * sin(arc)), "speed"))
     d$say("Omega", 0.45, 1.3)
   }
+  if (abs(theta) >= 0.1) {
+    d$add(mark("line", draw_arc(0, 0, 0.33, -90, -90 + theta * 180 / pi), "resistance"))
+  }
   # There is no room between the lines of a small angle.
   small <- abs(sin(theta)) < 0.4
   side <- if (theta < 0) -1 else 1

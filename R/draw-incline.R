@@ -39,7 +39,7 @@ incline_body <- function(d, scene, centre, r, angle, forces, unit) {
     away <- if (style == "weight") 0.18 else 0.15
     d$say(symbol, tip[1] + away * beside[1] + beyond[1], tip[2] + away * beside[2] + beyond[2])
   }
-  arrow(centre, c(0, -1), forces[["weight"]], "m*g", "weight", -1)
+  arrow(centre, c(0, -1), forces[["weight"]], "m*g", "weight", if (slope < 0) 1 else -1)
   arrow(contact, out, forces[["normal"]], "N", "torque", 1)
   arrow(contact, along, forces[["friction"]], "F[f]", "resistance", -1)
   arrow(centre, along, forces[["applied"]], "F", "spring", 1)

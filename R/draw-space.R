@@ -84,14 +84,19 @@ signed_area <- function(points) {
   sum(x * y[after] - x[after] * y) / 2
 }
 
-# A label stands beyond its point, seen from the origin, or `beside` that line, by `gap`.
-project_labels <- function(labels, gap, view = whole_view()) {
+# A label stands beyond its point, seen from the origin, or `beside` that line, by `gap`; `free`: on
+# the side where the other points are further away. In a film its side does not change.
+project_labels <- function(labels, gap, view = whole_view(), free = FALSE) {
   at <- as.matrix(labels[c("x", "y", "z")]) %*% t(view[1:2, ])
   long <- sqrt(rowSums(at^2))
   direction <- at / pmax(long, .Machine$double.xmin)
   direction[long < gap, ] <- rep(c(0, 1), each = sum(long < gap))
   aside <- labels$beside
   direction[aside, ] <- cbind(-direction[aside, 2], direction[aside, 1])
+  for (k in if (free) which(aside)) {
+    others <- sweep(at[-k, , drop = FALSE], 2, at[k, ]) %*% direction[k, ]
+    if (isTRUE(others[which.min(abs(others))] > 0)) direction[k, ] <- -direction[k, ]
+  }
   at <- at + gap * direction
   data.frame(symbol = labels$symbol, x = at[, 1], y = at[, 2], style = labels$style)
 }
@@ -407,7 +412,9 @@ space_still <- function(solid, turn, arrows) {
     one$points <- one$points * unit
     one
   })
-  labels <- if (!is.null(frame$labels)) project_labels(frame$labels, label_gap * look$radius)
+  labels <- if (!is.null(frame$labels)) {
+    project_labels(frame$labels, label_gap * look$radius, free = TRUE)
+  }
   list(
     marks = marks, unit = unit,
     labels = if (!is.null(labels)) label_at(labels$symbol, unit * labels$x, unit * labels$y)

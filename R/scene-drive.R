@@ -285,6 +285,13 @@ describe_friction <- function(x) {
   paste0(
     sub("^constant, ", "", describe_torque(x$capacity_n_m)),
     if (x$static_ratio > 1) paste0(", ", format_si(x$static_ratio), " times that at rest"),
+    acting_text(x)
+  )
+}
+
+# When a brake or a clutch acts, after what it is.
+acting_text <- function(x) {
+  paste0(
     if (is.finite(x$from_s)) paste0(", from ", format_si(x$from_s), " s"),
     if (is.finite(x$to_s)) paste0(", until ", format_si(x$to_s), " s")
   )
