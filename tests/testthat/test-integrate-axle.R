@@ -118,3 +118,14 @@ test_that("what is at rest where nothing drives it stays there, at once", {
   slow <- trajectory(scene_pendulum(body_point(1), 1, resistance(10, 0.1), theta0_rad = 1), 200)
   expect_identical(nrow(motion_events(slow)), 0L)
 })
+
+test_that("the torques of a row that breaks loose are those that accelerate it", {
+  laws <- list(
+    0.5, -0.5, torque_sinusoid(0.5, 1), function(time_s) -0.5 * cos(time_s), torque_spring(0.5, 1)
+  )
+  for (law in laws) {
+    rows <- trajectory(scene_axle(2, law, resistance(coulomb_n_m = 0.2)), c(0, 1e-6))
+    expect_equal(rows$net_torque_n_m[1], 2 * rows$omega_rad_per_s[2] / 1e-6, tolerance = 1e-5)
+    expect_equal(abs(rows$damping_torque_n_m[1]), 0.2, tolerance = 1e-12)
+  }
+})

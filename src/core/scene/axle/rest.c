@@ -45,16 +45,10 @@ double rot_axle_rest_elapsed(const rot_axle_rest *rest, double t, double *lo) {
 rot_status rot_axle_rest_row(rot_axle_rest *rest, size_t i, const rot_axle_change *by,
                              double applied) {
   const rot_axle_scene *scene = rest->scene;
-  const rot_axle_columns *out = rest->out;
   const rot_axle_base *base = &rest->base;
   const double theta = base->theta + (by->dtheta + base->theta_lo), omega = by->omega;
   if (!(isfinite(theta) && isfinite(omega))) return ROT_ERANGE;
-  rot_axle_scene_row(scene, out, i, rest->time_s[i], theta, omega, applied, base->stuck);
-  if (omega == 0.0 && !base->stuck && scene->coulomb_n_m > 0.0) {
-    /* Breaking loose: kinetic friction acts. */
-    out->damping_torque_n_m[i] = -copysign(scene->coulomb_n_m, applied);
-    out->net_torque_n_m[i] = applied + out->damping_torque_n_m[i];
-  }
+  rot_axle_scene_row(scene, rest->out, i, rest->time_s[i], theta, omega, applied, base->stuck);
   rot_note_row(rest->info, theta, omega, by->theta_error, by->omega_error);
   return ROT_OK;
 }

@@ -56,6 +56,13 @@ int rot_axle_scene_sticks(const rot_axle_scene *scene, double omega, double appl
   return omega == 0.0 && scene->static_n_m > 0.0 && fabs(applied) <= scene->static_n_m;
 }
 
+/* In motion, or as it breaks loose. */
+static double resisting(const rot_axle_scene *scene, double omega, double applied) {
+  const double damping = rot_axle_scene_resistance(scene, omega);
+  const int leaves = omega == 0.0 && applied != 0.0;
+  return leaves ? damping - copysign(scene->coulomb_n_m, applied) : damping;
+}
+
 /* Applied, resisting and net torque of each state. */
 void rot_axle_scene_torques(const rot_axle_scene *scene, size_t n, const double time_s[],
                             const double theta_rad[], const double omega_rad_per_s[],
@@ -63,12 +70,8 @@ void rot_axle_scene_torques(const rot_axle_scene *scene, size_t n, const double 
   for (size_t i = 0; i < n; i++) {
     const double omega = omega_rad_per_s[i];
     const double applied = rot_axle_scene_applied(scene, time_s[i], theta_rad[i], 0.0, omega);
-    double damping = rot_axle_scene_resistance(scene, omega);
-    if (rot_axle_scene_sticks(scene, omega, applied)) {
-      damping = 0.0 - applied;
-    } else if (omega == 0.0 && applied != 0.0) {
-      damping -= copysign(scene->coulomb_n_m, applied); /* breaking loose */
-    }
+    const int sticks = rot_axle_scene_sticks(scene, omega, applied);
+    const double damping = sticks ? 0.0 - applied : resisting(scene, omega, applied);
     applied_n_m[i] = applied;
     damping_n_m[i] = damping;
     net_n_m[i] = applied + damping;
@@ -77,7 +80,7 @@ void rot_axle_scene_torques(const rot_axle_scene *scene, size_t n, const double 
 
 void rot_axle_scene_row(const rot_axle_scene *scene, const rot_axle_columns *out, size_t i,
                         double t, double theta, double omega, double applied, int stuck) {
-  const double resistance = stuck ? 0.0 - applied : rot_axle_scene_resistance(scene, omega);
+  const double resistance = stuck ? 0.0 - applied : resisting(scene, omega, applied);
   const double momentum = rot_axle_scene_inertia(scene, t) * omega;
   out->theta_rad[i] = theta;
   out->omega_rad_per_s[i] = omega;
