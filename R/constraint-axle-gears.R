@@ -17,7 +17,7 @@ shaft_names <- function(scene) {
 
 gears_maker <- function() {
   list(
-    title = function(run) gears_title(run$scene),
+    title = function(run) gears_title(run$scene), rows_are = "first shaft",
     quick = FALSE,
     torque = function(scene) {
       torque_constant(attr(train_of_scene(scene), "law")[["applied_n_m"]])

@@ -355,7 +355,10 @@ panel_lines <- function(parts, panels, constraint, units, drop_zero) {
         time_s = part$rows$time_s * time$factor, value = as.double(value) * unit$factor,
         panel = rep(unit$label, length(value)), line = line, run = rep(part$name, length(value))
       )
-      data[!is.na(value), ]
+      data <- data[!is.na(value), ]
+      if (!unit_in_name(name) %in% c("N", "N m") || !length(part$events$time_s)) return(data)
+      at <- sort(unique(part$events$time_s)) * time$factor
+      do.call(rbind, lapply(unname(split(data, data$line)), with_jumps, at))
     })
   }
   long <- do.call(rbind, unlist(lapply(panels, function(spec) {
@@ -368,6 +371,36 @@ panel_lines <- function(parts, panels, constraint, units, drop_zero) {
     long[[name]] <- factor(long[[name]], unique(long[[name]]))
   }
   long
+}
+
+# A line of a force or a torque, with points on both sides of the times `at` at which it jumps: from
+# the two rows before and the two after. Else the jump is drawn as a slope from row to row.
+with_jumps <- function(line, at) {
+  rows <- split(seq_len(nrow(line)), findInterval(line$time_s, at))
+  if (length(rows) < 2L) return(line)
+  range <- diff(range(line$value))
+  near <- function(i, time_s) { # i: one row or two, the nearer one first
+    if (length(i) == 1L) return(line$value[i])
+    slope <- diff(line$value[i]) / diff(line$time_s[i])
+    line$value[i[1]] + slope * (time_s - line$time_s[i[1]])
+  }
+  added <- lapply(seq_along(rows)[-1], function(k) {
+    before <- rev(rows[[k - 1L]])
+    after <- rows[[k]]
+    time_s <- at[as.integer(names(rows)[k])]
+    ends <- c(near(utils::head(before, 2L), time_s), near(utils::head(after, 2L), time_s))
+    whole <- abs(line$value[after[1]] - line$value[before[1]])
+    if (!isTRUE(abs(diff(ends)) > max(0.5 * whole, 0.01 * range))) return(NULL)
+    points <- line[c(before[1], after[1]), ]
+    points$time_s <- time_s
+    points$value <- ends
+    points
+  })
+  added <- do.call(rbind, added)
+  # At one time: before, a row, after.
+  place <- c(rep(1L, nrow(line)), rep_len(c(0L, 2L), max(0L, nrow(added))))
+  out <- rbind(line, added)
+  out[order(out$time_s, place), ]
 }
 
 # Without lines that are 0 throughout, and without a net torque that is one of the others; one panel
@@ -420,6 +453,7 @@ event_marks <- function(parts, long, constraint, factor, several) {
 
 runs_title <- function(parts, constraint) {
   titles <- unique(vapply(parts, function(part) constraint$title(part$run), ""))
+  if (!is.null(constraint$rows_are)) titles <- paste0(titles, ": ", constraint$rows_are)
   if (length(titles) == 1L) titles else paste(length(parts), "runs")
 }
 

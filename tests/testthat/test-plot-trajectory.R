@@ -187,3 +187,26 @@ test_that("the axes of a small motion are scaled to it, and its title is the sce
   range <- ggplot2::ggplot_build(plot)$layout$panel_params[[1]]$y.range
   expect_gt(range[1], 1)
 })
+
+test_that("a torque that jumps at an event is drawn as a jump", {
+  skip_if_not_installed("ggplot2")
+  torque <- function(scene, time_s, panel) {
+    lines <- ggplot2::autoplot(trajectory(scene, time_s))$data
+    lines[lines$panel == panel, ]
+  }
+  # It locks at 10/7.5 s, between two rows, and at a row.
+  clutch <- scene_clutch(1, 2, 5, omega0_rad_per_s = c(10, 0))
+  for (time_s in list(seq(0, 3, 0.1), c(0, 1, 10 / 7.5, 2, 3))) {
+    line <- torque(clutch, time_s, "torque of the clutch (N m)")
+    expect_false(is.unsorted(line$time_s))
+    at <- abs(line$time_s - 10 / 7.5) < 1e-12
+    expect_equal(range(line$value[at]), c(0, 5), tolerance = 1e-12)
+    expect_equal(line$value[line$time_s < 1.3], rep(5, sum(line$time_s < 1.3)))
+  }
+  # What a spring does is no jump.
+  swing <- scene_axle(1, torque_spring(1), resistance(coulomb_n_m = 0.01), theta0_rad = 1)
+  line <- torque(swing, seq(0, 20, 0.1), "torque (N m)")
+  times <- table(line$time_s[line$line == "applied"])
+  expect_identical(max(times), 1L)
+  expect_gt(max(table(line$time_s[line$line == "damping"])), 1L)
+})
