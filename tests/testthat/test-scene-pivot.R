@@ -345,6 +345,20 @@ test_that("a reaction wheel swings a pendulum against the motor's torque", {
   )
 })
 
+test_that("the impulses of a plane pendulum balance along any axis of the body", {
+  t <- seq(0, 10, by = 0.1)
+  for (k in 1:3) for (line in list(c(1, 0, 0), c(0, 1, 0))) {
+    moments <- ifelse(1:3 == k, 0.002, 0.05)
+    scene <- scene_pivot(
+      moments, c(0, 0, 0), mass_kg = 0.5, centre_m = 0.3 * (1:3 == k),
+      attitude0 = attitude_from(c(line, pi / 3), "axis_angle")
+    )
+    shown <- audit(trajectory(scene, t))
+    expect_identical(shown$verdict, rep("balanced", 5))
+    expect_true(all(shown$rounding < 1e-12))
+  }
+})
+
 test_that("rotors of a body with a fixed point are exact where nothing else acts", {
   wheel <- rotor(c(0, 1, 0), 0.05, 60)
   held <- scene_pivot(

@@ -130,7 +130,7 @@ void rot_free_explain(const void *scene, const rot_span *s, const double term[],
                       double explained[]) {
   const rot_free_params *p = scene;
   const double *row[] = {s->first, s->last}, eps = DBL_EPSILON;
-  double size = 0.0, fastest = 0.0, spins = 0.0, speeds = 0.0, torque = 0.0, damping = 0.0;
+  double size = 0.0, fastest = 0.0, spins = 0.0, speeds = 0.0;
   for (int i = 0; i < 2; i++) {
     double l[3];
     momentum_at(p, row[i], l);
@@ -145,10 +145,6 @@ void rot_free_explain(const void *scene, const rot_span *s, const double term[],
     speeds +=
         speed + fmax(fabs(dot(one->axis, row[0] + RATES)), fabs(dot(one->axis, row[1] + RATES)));
   }
-  for (int k = 0; k < 3; k++) {
-    torque = fmax(torque, s->flow_error[TORQUE + k]);
-    damping = fmax(damping, s->flow_error[DAMPING + k]);
-  }
   const double of_l = s->error[ROT_FREE_MOMENTUM];
   const double of_omega =
       fmax(s->error[ROT_FREE_OMEGA], 1e-3 * s->error[ROT_FREE_ATTITUDE] * fastest);
@@ -156,8 +152,9 @@ void rot_free_explain(const void *scene, const rot_span *s, const double term[],
                  8.0 * eps * (fabs(term[1]) + fabs(term[2]) + fabs(term[3])) + s->flow_error[WORK] +
                  s->flow_error[HEAT] + s->flow_error[MOTORS] +
                  speeds * (2.0 * of_l + 16.0 * eps * spins);
-  for (int k = 1; k < 4; k++) {
-    explained[k] = 2.0 * of_l + 32.0 * eps * (size + spins) + torque + damping;
+  for (int k = 0; k < 3; k++) {
+    explained[1 + k] = 2.0 * of_l + 32.0 * eps * (size + spins) + s->flow_error[TORQUE + k] +
+                       s->flow_error[DAMPING + k];
   }
   explained[4] = 8.0 * eps;
 }

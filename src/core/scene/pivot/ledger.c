@@ -85,14 +85,22 @@ static void add_up(const rot_panels *panels, double start_s, const rot_task *tas
   }
 }
 
+/* largest: an upper limit of the impulses. A component that is 0, or rounding only, is not resolved
+ * further than that. */
 static rot_status impulses(along *a, const rot_task *task, const rot_rows *rows, double rate,
-                           double error[2]) {
+                           double largest, double error[2]) {
   const size_t max = task->n + 2 + MAX_PANELS + task->n;
+  const double min[2] = {largest, largest};
   double size[2], *edge = malloc(3 * max * sizeof *edge);
   if (!edge) return ROT_ENOMEM;
   const size_t n = edges_of(a->p->start_s, task, rate, edge) - 1;
-  const rot_panels panels = {
-      .width = 2, .n = n, .edge_s = edge, .value = edge + max, .error = error, .size = size};
+  const rot_panels panels = {.width = 2,
+                             .n = n,
+                             .edge_s = edge,
+                             .min = min,
+                             .value = edge + max,
+                             .error = error,
+                             .size = size};
   const rot_status status = n ? rot_panels_integrate(&panels, torques, a) : ROT_OK;
   if (status == ROT_OK) add_up(&panels, a->p->start_s, task, rows);
   free(edge);
@@ -121,7 +129,7 @@ rot_status rot_pivot_flows(rot_free_rows_of *form, const rot_free_params *p, con
     rows->flow[WORK][i] = start[2] - now[2];
     span = fmax(span, fabs(task->time_s[i] - p->start_s));
   }
-  const rot_status status = impulses(&a, task, rows, rate, error);
+  const rot_status status = impulses(&a, task, rows, rate, size * span, error);
   rows->flow_error[WORK] = size * (2.0 * off + 16.0 * DBL_EPSILON);
   rows->flow_error[TORQUE_X] = rows->flow_error[TORQUE_Y] =
       error[0] + error[1] + size * span * (off + 16.0 * DBL_EPSILON);

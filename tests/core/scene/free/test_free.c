@@ -6,6 +6,7 @@
 #include "maths/attitude.h"
 #include "scene/choice.h"
 #include "scene/free/exact.h"
+#include "scene/free/ledger.h"
 #include "scene/free/models.h"
 #include "scene/free/motion.h"
 #include "scene/free/ode.h"
@@ -266,6 +267,18 @@ static void check_cost(void) {
   }
 }
 
+/* An impulse of unknown error explains nothing of its balance, and leaves the others. */
+static void check_unknown_error(void) {
+  const rot_free_params p = scene(1.0, 2.0, 2.5, 0.3, -1.2, 0.8);
+  const double row[ROT_FREE_OWN_COLUMNS] = {1.0, 0.0, 0.0, 0.0, 0.3, -1.2, 0.8};
+  const double none[ROT_FREE_FLOWS] = {0.0}, unknown[ROT_FREE_FLOWS] = {0.0, 0.0, NAN};
+  const double error[3] = {0.0}, term[14] = {0.0};
+  const rot_span span = {{0.0, 1.0}, row, row, none, unknown, error};
+  double explained[5];
+  rot_free_explain(&p, &span, term, explained);
+  for (int k = 0; k < 5; k++) ROT_CHECK(isnan(explained[k]) == (k == 1));
+}
+
 int main(void) {
   check_exact_and_integrated();
   check_torque_on_a_ball();
@@ -274,5 +287,6 @@ int main(void) {
   check_choice();
   check_own_axes();
   check_cost();
+  check_unknown_error();
   return rot_test_report("free");
 }
