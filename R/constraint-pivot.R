@@ -9,9 +9,9 @@ pivot_constraint <- function() {
     measures = free_measures(),
     call_laws = call_free_laws,
     summary = function(x, run) {
-      nutation <- .Call(ffi_pivot_nutation, run$scene) %||% rep(NA_real_, 4)
+      nutation <- .Call(ffi_pivot_nutation, run$scene) %||% rep(NA_real_, 3)
       c(sizes_in_space(x), list(
-        nutation_period_s = nutation[1], mean_precession_rad_per_s = nutation[4] / nutation[1]
+        nutation_period_s = nutation[1], mean_precession_rad_per_s = nutation[3]
       ))
     },
     texts = list(scene_pivot = text_form(function(x) {
@@ -106,7 +106,6 @@ read_pivot <- function(body, omega0_rad_per_s, pivot_m = c(0, 0, 0), mass_kg = N
   ), attitude0)
 }
 
-# The period of the nutation, the cosines of the two inclinations, what the axis precesses in it.
 pivot_periods <- function(scene, call) {
   nutation <- .Call(ffi_pivot_nutation, scene)
   if (is.null(nutation)) {
@@ -115,7 +114,7 @@ pivot_periods <- function(scene, call) {
       "its turning points."
     ))
   }
-  turn <- 2 * pi * nutation[1] / abs(nutation[4])
+  turn <- 2 * pi / abs(nutation[3])
   # A vertical top: the slow steady turn beside the vertical.
   if (!is.finite(turn) && any(scene$omega0_rad_per_s != 0)) {
     turn <- 2 * pi / abs(precession_table(scene)$slow_precession_rad_per_s)
@@ -123,6 +122,6 @@ pivot_periods <- function(scene, call) {
   list(
     period_s = c(turn, nutation[1]),
     kind = c("precession", "nutation"),
-    amplitude_rad = c(NaN, abs(diff(acos(pmax(-1, pmin(1, nutation[2:3]))))) / 2)
+    amplitude_rad = c(NaN, nutation[2])
   )
 }

@@ -4,10 +4,10 @@
 #include "scene/choice.h"
 #include "scene/pivot/pivot.h"
 
-/* => c(period in s, min and max cosine, precession per period); NULL: not a symmetric top */
+/* => c(period in s, amplitude in rad, mean precession in rad/s); NULL: not a symmetric top */
 SEXP ffi_pivot_nutation(SEXP scene) {
   const rot_constraint *pivot = rot_choice_constraint("pivot");
-  double out[4];
+  double out[3];
   if (rot_pivot_nutation(ffi_scene_build(pivot, scene), out) != ROT_OK) return R_NilValue;
-  return ffi_numbers(4, out);
+  return ffi_numbers(3, out);
 }

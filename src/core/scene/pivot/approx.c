@@ -71,9 +71,8 @@ static rot_status begin(const rot_free_params *p, int nutates, top *x) {
   const rot_status status = rot_top_begin(x->transverse, x->axial, x->weight, &start, 0.0, &m);
   if (status != ROT_OK) return status;
   const double sum_rate = ldexp(m.sum.rate.hi, m.exponent);
-  const double difference_rate = ldexp(m.difference.rate.hi, m.exponent);
-  x->mean_phi = 0.5 * (sum_rate + difference_rate);
-  x->mean_psi = 0.5 * (sum_rate - difference_rate);
+  x->mean_phi = ldexp(m.precession, m.exponent);
+  x->mean_psi = sum_rate - x->mean_phi;
   x->low = x->high = x->u;
   if (!m.steady) {
     const rot_top_nutation n = rot_top_nutates(&m);

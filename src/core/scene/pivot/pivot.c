@@ -202,7 +202,7 @@ int rot_pivot_is_driven(const rot_free_params *p) {
          p->torque[1] != 0.0 || p->torque[2] != 0.0;
 }
 
-rot_status rot_pivot_nutation(const rot_free_params *p, double out[4]) {
+rot_status rot_pivot_nutation(const rot_free_params *p, double out[3]) {
   run r;
   int acts = rot_pivot_is_driven(p) || p->motors;
   /* A rotor of constant speed is part of the closed form. */
@@ -214,8 +214,7 @@ rot_status rot_pivot_nutation(const rot_free_params *p, double out[4]) {
   if (status != ROT_OK) return status;
   const rot_top_nutation n = rot_top_nutates(&r.motion);
   out[0] = n.period_s;
-  out[1] = n.lowest_cosine;
-  out[2] = n.highest_cosine;
-  out[3] = n.precession_rad;
+  out[1] = n.amplitude_rad;
+  out[2] = n.precession_rad_per_s;
   return ROT_OK;
 }

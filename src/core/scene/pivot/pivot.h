@@ -33,8 +33,8 @@ rot_status rot_pivot_top(const rot_free_params *p, size_t n, const double time_s
  * potential energy. */
 void rot_pivot_lever(const rot_free_params *p, const double q[4], double lever_n_m[3]);
 
-/* parameters => nutation: {period in s, lowest and highest cosine, precession per period in
- * rad}. */
-rot_status rot_pivot_nutation(const rot_free_params *p, double out[4]);
+/* parameters => nutation: {period in s, half the difference of the inclinations in rad, mean rate of
+ * precession in rad/s}. */
+rot_status rot_pivot_nutation(const rot_free_params *p, double out[3]);
 
 #endif

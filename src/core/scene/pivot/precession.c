@@ -19,7 +19,7 @@ static double formula_error(double i1, double weight, double cosine, double mome
 
 /* Exactly upright a top stays. Beside the vertical one that sleeps nutates with the period said
  * here, as a hanging one does; one that does not sleep falls, the later the nearer it began. */
-static void release(const rot_precession_input *in, double weight, double cosine,
+static void release(const rot_precession_input *in, double weight, double cosine, int vertical,
                     rot_precession *out) {
   const double below_pi = pi * 0x1p-53; /* as far from pi as the double pi is, or nearly */
   const double sleeps = rot_precession_sleeps(in->axial_kg_m2, in->transverse_kg_m2, in->mass_kg,
@@ -27,7 +27,7 @@ static void release(const rot_precession_input *in, double weight, double cosine
   rot_top_start start;
   rot_top_motion motion;
   double theta = in->angle_deg * (pi / 180.0);
-  if (fabs(cosine) == 1.0) {
+  if (vertical) {
     if (fabs(in->spin_rad_per_s) <= sleeps) {
       out->nutation_s = INFINITY;
       out->lowest_deg = in->angle_deg;
@@ -36,14 +36,18 @@ static void release(const rot_precession_input *in, double weight, double cosine
     theta = cosine > 0.0 ? below_pi : pi - below_pi;
   }
   rot_top_from_euler(0.0, theta, 0.0, 0.0, 0.0, in->spin_rad_per_s, &start);
-  if (rot_top_begin(in->transverse_kg_m2, in->axial_kg_m2, weight, &start, 0.0, &motion) !=
-      ROT_OK) {
-    return;
+  const rot_status status =
+      rot_top_begin(in->transverse_kg_m2, in->axial_kg_m2, weight, &start, 0.0, &motion);
+  if (status == ROT_ERANGE) { /* limits for a fast spin */
+    out->nutation_s = 2.0 * pi / fabs(in->spin_rad_per_s) / in->axial_kg_m2 * in->transverse_kg_m2;
+    out->lowest_deg = in->angle_deg;
+    out->mean_rad_per_s = out->rate_rad_per_s;
   }
+  if (status != ROT_OK) return;
   const rot_top_nutation n = rot_top_nutates(&motion);
   out->nutation_s = n.period_s;
-  out->lowest_deg = acos(weight < 0.0 ? n.highest_cosine : n.lowest_cosine) * (180.0 / pi);
-  out->mean_rad_per_s = n.precession_rad / n.period_s;
+  out->lowest_deg = vertical ? in->angle_deg : n.lowest_rad * (180.0 / pi);
+  out->mean_rad_per_s = n.precession_rad_per_s;
 }
 
 /* Formula, steady rates, and nutation of a release from rest if the transverse moment is known. */
@@ -66,7 +70,7 @@ rot_precession rot_precession_of(const rot_precession_input *in) {
   rot_top_steady(in->transverse_kg_m2, in->axial_kg_m2, weight, cosine, in->spin_rad_per_s,
                  &out.slow_rad_per_s, &out.fast_rad_per_s);
   out.error = formula_error(in->transverse_kg_m2, weight, cosine, momentum);
-  release(in, weight, cosine, &out);
+  release(in, weight, cosine, sine == 0.0, &out);
   return out;
 }
 

@@ -43,6 +43,7 @@ typedef struct setup {
   rot_dd down, up;    /* 1 - u and 1 + u at the start */
   rot_dd minus, plus; /* b - a, b + a; b: vertical angular momentum over I1 */
   rot_dd rise;        /* u' at the start */
+  rot_dd turning;     /* phi' sin^2(theta) at the start */
   rot_dd x[3];        /* zeros of u'^2 minus u at the start */
   rot_dd above, below, swing, m, m1;
 } setup;
@@ -155,11 +156,10 @@ static void zeros(const rot_dd c[3], rot_dd x[3]) {
 static void find_zeros(setup *s) {
   const rot_dd u0 = rot_dd_ldexp(rot_dd_sub(s->up, s->down), -1);
   const rot_dd across = rot_dd_add(square(s->omega[0]), square(s->omega[1]));
-  const rot_dd turning = rot_dd_add(s->minus, rot_dd_mul(s->a, s->down)); /* phi' sin^2 theta */
   const rot_dd f0 = square(s->rise);
-  const rot_dd f1 = rot_dd_sub(
-      rot_dd_sub(twice(rot_dd_mul(s->a, turning)), rot_dd_mul(s->beta, rot_dd_mul(s->up, s->down))),
-      twice(rot_dd_mul(u0, across)));
+  const rot_dd f1 = rot_dd_sub(rot_dd_sub(twice(rot_dd_mul(s->a, s->turning)),
+                                          rot_dd_mul(s->beta, rot_dd_mul(s->up, s->down))),
+                               twice(rot_dd_mul(u0, across)));
   const rot_dd f2 = rot_dd_sub(rot_dd_sub(twice(rot_dd_mul(s->beta, u0)), across), square(s->a));
   const rot_dd c[3] = {rot_dd_div(f0, s->beta), rot_dd_div(f1, s->beta), rot_dd_div(f2, s->beta)};
   zeros(c, s->x);
@@ -318,6 +318,28 @@ static void begin_angles(const setup *s, rot_dd spin, rot_top_motion *out) {
   }
 }
 
+/* Mean of phi' = (turning + a swing cn^2)/((1 - u)(1 + u)), turning that of the highest point. A
+ * small swing: as the sum of the means over 1 - u and 1 + u, in which the spin does not cancel. */
+static double mean_precession(const setup *s, const rot_top_motion *m) {
+  if (m->steady) return rot_dd_div(s->turning, rot_dd_mul(s->down, s->up)).hi;
+  if (s->swing.hi > s->above.hi || s->swing.hi > s->below.hi) {
+    return 0.5 * rot_dd_add(m->sum.rate, m->difference.rate).hi;
+  }
+  const rot_dd turning = rot_dd_sub(s->turning, rot_dd_mul(s->a, s->x[1]));
+  const rot_dd by[2] = {rot_dd_add(s->above, s->swing), s->below}; /* 1 - u, 1 + u at the lowest */
+  const rot_dd high[2] = {s->above, rot_dd_add(s->below, s->swing)};
+  rot_dd sum = none;
+  for (int i = 0; i < 2; i++) {
+    const rot_dd whole = rot_dd_div(high[i], by[i]), mean = rot_jacobi_mean(s->m1, whole);
+    const rot_dd of_one = rot_dd_sub(one, rot_dd_mul(rot_dd_sub(whole, one), mean));
+    const rot_dd of_cn2 = rot_dd_sub(one, rot_dd_mul(whole, mean));
+    const rot_dd part =
+        rot_dd_add(rot_dd_mul(turning, of_one), rot_dd_mul(rot_dd_mul(s->a, s->swing), of_cn2));
+    sum = rot_dd_add(sum, rot_dd_div(part, by[i]));
+  }
+  return 0.5 * sum.hi;
+}
+
 /* ---- set-up ---------------------------------------------------------------------------------- */
 
 /* Half angles at the start. At a pole one of them is undetermined: take that of the motion leaving
@@ -356,6 +378,7 @@ static void begin_moving(setup *s, rot_dd spin, rot_top_motion *out) {
   if (!out->steady) rot_jacobi_begin(s->m1, &out->jacobi);
   begin_angles(s, spin, out);
   begin_halves(s, out);
+  out->precession = mean_precession(s, out);
   if (out->steady) return;
   out->lambda = rot_dd_ldexp(rot_dd_sqrt(rot_dd_mul(s->beta, rot_dd_sub(s->x[2], s->x[0]))), -1);
   const double sn0 = sqrt(-s->x[0].hi / s->swing.hi), cn0 = sqrt(s->x[1].hi / s->swing.hi);
@@ -410,10 +433,10 @@ static rot_status begin_scaled(double i1, double i3, rot_dd weight, setup *s, ro
   s->up = twice(rot_dd_add(square(q[0]), square(q[3])));
   const rot_dd z1 = twice(rot_dd_sub(rot_dd_mul(q[1], q[3]), rot_dd_mul(q[0], q[2])));
   const rot_dd z2 = twice(rot_dd_add(rot_dd_mul(q[2], q[3]), rot_dd_mul(q[0], q[1])));
-  const rot_dd turning = rot_dd_add(rot_dd_mul(w[0], z1), rot_dd_mul(w[1], z2));
+  s->turning = rot_dd_add(rot_dd_mul(w[0], z1), rot_dd_mul(w[1], z2));
   s->rise = rot_dd_sub(rot_dd_mul(w[1], z1), rot_dd_mul(w[0], z2));
-  s->minus = rot_dd_sub(turning, rot_dd_mul(s->a, s->down));
-  s->plus = rot_dd_add(turning, rot_dd_mul(s->a, s->up));
+  s->minus = rot_dd_sub(s->turning, rot_dd_mul(s->a, s->down));
+  s->plus = rot_dd_add(s->turning, rot_dd_mul(s->a, s->up));
   out->omega3 = w[2].hi;
   out->spin = spin.hi;
   out->pull = 0.5 * s->beta.hi;
@@ -452,6 +475,7 @@ rot_status rot_top_begin_wheels(double i1, double i3, rot_dd weight, rot_dd whee
   if (weight.hi == 0.0) {
     const double moment[3] = {i1, i1, i3};
     out->weightless = 1;
+    out->precession = NAN;
     return rot_free_begin(moment, out->omega0, given, &out->free);
   }
   out->hangs = weight.hi < 0.0;
@@ -649,18 +673,25 @@ void rot_top_at(const rot_top_motion *m, rot_dd t, rot_top_state *out) {
 /* ---- answers --------------------------------------------------------------------------------- */
 
 rot_top_nutation rot_top_nutates(const rot_top_motion *m) {
-  rot_top_nutation out = {INFINITY, m->cosine, m->cosine, NAN};
-  if (m->weightless || m->steady) return out;
+  const double *q = m->q0;
+  const double start = 2.0 * atan2(hypot(q[1], q[2]), hypot(q[0], q[3]));
+  rot_top_nutation out = {INFINITY, m->cosine, m->cosine, start, 0.0, NAN};
+  if (m->weightless) return out;
+  out.precession_rad_per_s = ldexp(m->precession, m->exponent);
+  if (m->steady) return out;
   const double flip = m->hangs ? -1.0 : 1.0;
   const double low = m->below < 1.0 ? m->below - 1.0 : 1.0 - (m->above + m->swing);
   const double high = m->above < 1.0 ? 1.0 - m->above : m->below + m->swing - 1.0;
   out.lowest_cosine = flip > 0.0 ? low : -high;
   out.highest_cosine = flip > 0.0 ? high : -low;
   const double period = 2.0 * m->jacobi.k.hi / m->lambda.hi;
-  const double phi = flip > 0.0 ? rot_dd_add(m->sum.rate, m->difference.rate).hi
-                                : rot_dd_add(m->sum.rate, m->difference.rate).hi;
   out.period_s = ldexp(period, -m->exponent);
-  out.precession_rad = 0.5 * phi * period;
+  /* Cosines and sines of half the angles at the lowest and the highest u. */
+  const double low_c = sqrt(0.5 * m->below), low_s = sqrt(0.5 * (m->above + m->swing));
+  const double high_c = sqrt(0.5 * (m->below + m->swing)), high_s = sqrt(0.5 * m->above);
+  out.lowest_rad = 2.0 * (flip > 0.0 ? atan2(low_s, low_c) : atan2(low_c, low_s));
+  out.amplitude_rad =
+      atan2(0.5 * m->swing / (low_s * high_c + low_c * high_s), low_c * high_c + low_s * high_s);
   return out;
 }
 

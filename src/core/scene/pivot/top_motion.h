@@ -56,6 +56,7 @@ typedef struct rot_top_motion {
   double b_minus_a, b_plus_a; /* phi' = (b - a u)/(1 - u^2) */
   double above, below, swing; /* 1 - u2, 1 + u1, u2 - u1, with u in [u1, u2] */
   double cosine;              /* u at the start */
+  double precession;          /* mean of phi'; NaN: weightless, or permanently vertical */
   rot_dd lambda, start;       /* argument of the elliptic functions: lambda t + start */
   rot_jacobi jacobi;
   rot_top_angle sum, difference;  /* phi + psi, phi - psi */
@@ -100,7 +101,9 @@ void rot_top_at(const rot_top_motion *motion, rot_dd t, rot_top_state *out);
 typedef struct rot_top_nutation {
   double period_s;                      /* > 0; Inf: none */
   double lowest_cosine, highest_cosine; /* limits of u */
-  double precession_rad;                /* change of phi in a period */
+  double lowest_rad;                    /* angle of axis 3 where the centre of mass is lowest */
+  double amplitude_rad;                 /* half the difference of the two angles */
+  double precession_rad_per_s;          /* mean of phi' */
 } rot_top_nutation;
 
 /* motion => nutation. */

@@ -103,6 +103,36 @@ static void test_vertical(void) {
   }
 }
 
+/* Angle, lowest angle, period and mean rate of released tops, by elliptic integrals in 120 digits;
+ * then the same with a small gravity at 30 degrees, in 250 digits. */
+static void test_small(void) {
+  static const double tilted[][4] = {
+      {1.0, 1.357802392188754524, 0.29857950678770204051, 3.7648361480159809393},
+      {1e-3, 0.0013578682760555743845, 0.29861083002507780205, 3.7650220085727153673},
+      {1e-6, 1.3578682761214731152e-6, 0.29861083005640994816, 3.7650220087586210253},
+      {1e-9, 1.3578682761214733271e-9, 0.29861083005640997949, 3.7650220087586212112},
+      {1e-14, 1.3578682761214732409e-14, 0.29861083005640997949, 3.7650220087586212112}};
+  static const double light[][4] = {
+      {9.80665e-12, 30.000000000006555263, 0.2199114857513290874, 3.268883333333657096e-12},
+      {9.80665e-20, 30.0, 0.21991148575128550853, 3.2688833333333334224e-20},
+      {9.80665e-30, 30.0, 0.21991148575128550853, 3.2688833333333334577e-30},
+      {9.80665e-50, 30.0, 0.21991148575128550853, 3.2688833333333335393e-50},
+      {9.80665e-290, 30.0, 0.21991148575128550853, 3.2688833333333335e-290}};
+  for (int i = 0; i < 10; i++) {
+    const double *x = i < 5 ? tilted[i] : light[i - 5];
+    const double angle = i < 5 ? x[0] : 30.0, gravity = i < 5 ? 9.80665 : x[0];
+    rot_precession_input in = {0.5, 0.08, 0.002, 60.0, 0.0042, angle, gravity};
+    const rot_precession out = rot_precession_of(&in);
+    ROT_CHECK_REL(out.lowest_deg, x[1], 1e-15);
+    ROT_CHECK_REL(out.nutation_s, x[2], 2e-15);
+    ROT_CHECK_REL(out.mean_rad_per_s, x[3], 1e-15);
+    if (i < 5) continue;
+    /* slow and fast rates without gravity: G/(I3 omega3), I3 omega3/(I1 cos) */
+    ROT_CHECK_REL(out.slow_rad_per_s, x[0] / 3.0, 1e-10);
+    ROT_CHECK_REL(out.fast_rad_per_s, 0.12 / (0.0042 * sqrt(0.75)), 1e-10);
+  }
+}
+
 /* The same top in other units of mass and time. */
 static void test_scales(void) {
   const rot_precession_input in = {1.0, 0.5, 0.25, 8.0, 0.375, 60.0, 8.0};
@@ -129,6 +159,7 @@ int main(void) {
   test_signs();
   test_ends();
   test_vertical();
+  test_small();
   test_scales();
   return rot_test_report("precession");
 }

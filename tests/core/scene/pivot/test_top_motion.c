@@ -68,7 +68,9 @@ static void check_answers(void) {
     const rot_top_nutation n = rot_top_nutates(&motion);
     ROT_CHECK_REL(n.period_s, x[8], 4e-16);
     ROT_CHECK(fabs(n.lowest_cosine - x[9]) <= 2.3e-16);
-    ROT_CHECK_REL(n.precession_rad, x[10], 4e-16);
+    ROT_CHECK_REL(n.precession_rad_per_s, x[10] / x[8], 6e-16);
+    ROT_CHECK(fabs(cos(n.lowest_rad) - x[9]) <= 4e-16);
+    ROT_CHECK(fabs(2.0 * n.amplitude_rad - (n.lowest_rad - x[3])) <= 4e-16);
     ROT_CHECK(fabs(n.highest_cosine - cos(x[3])) <= 2.3e-16);
     rows++;
   }
