@@ -106,21 +106,32 @@ read_pivot <- function(body, omega0_rad_per_s, pivot_m = c(0, 0, 0), mass_kg = N
   ), attitude0)
 }
 
+# A plane motion is that of a pendulum on an axle; that of a symmetric top is a precession with a
+# nutation.
 pivot_periods <- function(scene, call) {
+  plane <- .Call(ffi_pivot_plane, scene)
+  if (!is.null(plane)) {
+    return(axle_periods(scene_axle(
+      plane[1], torque_gravity(1, 1, gravity_m_per_s2 = plane[2]), theta0_rad = plane[3],
+      omega0_rad_per_s = plane[4]
+    ), call))
+  }
   nutation <- .Call(ffi_pivot_nutation, scene)
   if (is.null(nutation)) {
     abort_no_period(scene, call, paste(
-      "It takes a symmetric top, gravity, and nothing else; {.fn time_when} gives the times of",
-      "its turning points."
+      "It takes a symmetric top or a swing about a horizontal principal axis, gravity, and nothing",
+      "else; {.fn time_when} gives the times of its turning points."
     ))
   }
-  turn <- 2 * pi / abs(nutation[3])
-  # A vertical top: the slow steady turn beside the vertical.
-  if (!is.finite(turn) && any(scene$omega0_rad_per_s != 0)) {
-    turn <- 2 * pi / abs(precession_table(scene)$slow_precession_rad_per_s)
+  if (is.nan(nutation[3])) {
+    abort_rotdyn(c(
+      "This top is balanced upright, and does not sleep: it falls from the smallest disturbance.",
+      x = "It spins too slowly for that.",
+      i = "{.fn precession_table} has the spin from which on it sleeps."
+    ), "model", call)
   }
   list(
-    period_s = c(turn, nutation[1]),
+    period_s = c(2 * pi / abs(nutation[3]), nutation[1]),
     kind = c("precession", "nutation"),
     amplitude_rad = c(NaN, nutation[2])
   )

@@ -12,8 +12,10 @@
 #'
 #' A mode is a swing in which all parts pass rest together, of small amplitude and without damping.
 #' A free body wobbles: its angular velocity in its own axes repeats after the time between two
-#' flips, twice. The axis of a top goes around the vertical (precession, by the mean rate; that of
-#' a vertical top is the slow one beside the vertical) and nods (nutation).
+#' flips, twice. The axis of a top goes around the vertical (precession, by the mean rate) and nods
+#' (nutation). A vertical top that sleeps or hangs has those beside the vertical: the slow
+#' precession, and a nutation of amplitude 0. A body with a fixed point that swings in a plane is a
+#' pendulum.
 #'
 #' @param scene A scene of [scene_axle()], [scene_pendulum()], [scene_gears()], [scene_rotors()],
 #'   [scene_drive()] without clutches, [scene_chain()], [scene_hoop()], [scene_free()] or

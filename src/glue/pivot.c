@@ -11,3 +11,13 @@ SEXP ffi_pivot_nutation(SEXP scene) {
   if (rot_pivot_nutation(ffi_scene_build(pivot, scene), out) != ROT_OK) return R_NilValue;
   return ffi_numbers(3, out);
 }
+
+/* => members of rot_pivot_pendulum; NULL: the motion is not plane */
+SEXP ffi_pivot_plane(SEXP scene) {
+  rot_pivot_pendulum of;
+  if (!rot_pivot_plane(ffi_scene_build(rot_choice_constraint("pivot"), scene), &of)) {
+    return R_NilValue;
+  }
+  const double out[] = {of.moment_kg_m2, of.weight_n_m, of.angle_rad, of.omega_rad_per_s};
+  return ffi_numbers(4, out);
+}

@@ -85,9 +85,66 @@ test_that("a vertical top has the slow precession beside the vertical", {
   b <- 0.00072 * 250
   root <- (b - sqrt(b^2 - 4 * 0.001 * 0.4 * 9.80665 * 0.04)) / (2 * 0.001)
   expect_equal(period_of(upright)$period_s[1], 2 * pi / root, tolerance = 1e-9)
-  # One that hangs still and does not spin has none.
-  still <- scene_pivot(body_disk(0.4, 0.06), c(0, 0, 0), pivot_m = c(0, 0, 0.04))
-  expect_false(is.finite(tryCatch(period_of(still)$period_s[1], rotdyn_error = function(e) NaN)))
+  # z'' - i a z' - g z = 0 beside the vertical, a = I3 w/I1, g = m g l/I1: it nods in
+  # 2 pi/sqrt(a^2 - 4 g).
+  nods <- 2 * pi / sqrt((b / 0.001)^2 - 4 * 0.4 * 9.80665 * 0.04 / 0.001)
+  expect_equal(period_of(upright)$period_s[2], nods, tolerance = 1e-12)
+  expect_identical(period_of(upright)$amplitude_rad, c(NaN, 0))
+  # One that hangs still and does not spin is a pendulum; one that spins too slowly falls.
+  still <- period_of(scene_pivot(body_disk(0.4, 0.06), c(0, 0, 0), pivot_m = c(0, 0, 0.04)))
+  expect_identical(still$kind, "rest")
+  expect_equal(still$period_s, 2 * pi * sqrt(0.001 / (0.4 * 9.80665 * 0.04)), tolerance = 1e-12)
+  expect_error(
+    period_of(update(upright, omega0_rad_per_s = c(0, 0, 1))), "does not sleep",
+    class = "rotdyn_error_model"
+  )
+})
+
+test_that("a body that swings in a plane about its fixed point is a pendulum", {
+  of <- function(moments, omega, line, angle, centre = c(0, 0, 0.3)) {
+    scene_pivot(
+      moments, omega, mass_kg = 0.5, centre_m = centre,
+      attitude0 = attitude_from(c(line, angle), "axis_angle")
+    )
+  }
+  # 4 sqrt(I/G) K(sin(A/2)), K by the arithmetic-geometric mean.
+  period <- function(moment, amplitude_rad) {
+    a <- 1
+    b <- cos(amplitude_rad / 2)
+    for (i in 1:8) {
+      mean <- (a + b) / 2
+      b <- sqrt(a * b)
+      a <- mean
+    }
+    2 * pi / a * sqrt(moment / (0.5 * 9.80665 * 0.3))
+  }
+  even <- c(0.05, 0.05, 0.002)
+  for (scene in list(
+    of(even, c(0, 0, 0), c(1, 0, 0), pi / 3), of(even, c(0, 0, 0), c(0.6, -0.8, 0), pi / 3),
+    of(c(0.05, 0.06, 0.02), c(0, 0, 0), c(1, 0, 0), pi / 3),
+    of(c(0.002, 0.05, 0.05), c(0, 0, 0), c(0, 1, 0), -pi / 6, c(0.3, 0, 0))
+  )) {
+    got <- period_of(scene)
+    expect_identical(got$kind, "oscillation")
+    expect_equal(got$amplitude_rad, 2 * pi / 3, tolerance = 1e-14)
+    expect_equal(got$period_s, period(0.05, 2 * pi / 3), tolerance = 1e-14)
+    events <- motion_events(trajectory(scene, c(0, 2)))
+    expect_equal(events$time_s[events$event == "lowest"][1], got$period_s / 4, tolerance = 1e-9)
+  }
+  # Over the top: the time of a turn is that of the axle with the same moment.
+  round <- of(even, c(30, 0, 0), c(1, 0, 0), pi / 3)
+  axle <- scene_axle(0.05, torque_gravity(0.5, 0.3), theta0_rad = 2 * pi / 3, omega0_rad_per_s = 30)
+  expect_equal(period_of(round), period_of(axle), tolerance = 1e-14)
+  # Balanced it stays, and needs for ever to come back from the next position.
+  expect_identical(period_of(of(even, c(0, 0, 0), c(0, 0, 1), 0))$kind, "separatrix")
+  # Off the plane no closed form is known.
+  for (scene in list(
+    of(c(0.05, 0.06, 0.02), c(0, 0, 0), c(0.6, 0.8, 0), pi / 3),
+    of(c(0.05, 0.06, 0.02), c(0, 1, 0), c(1, 0, 0), pi / 3),
+    of(even, c(0, 0, 0), c(1, 0, 0), pi / 3, c(0.1, 0, 0.3))
+  )) {
+    expect_error(period_of(scene), "swing about a horizontal", class = "rotdyn_error_model")
+  }
 })
 
 test_that("a top nods by the amplitude that its motion shows", {

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "maths/attitude.h"
+#include "ground/real.h"
 #include "scene/free/rotors.h"
 #include "engine/stepping.h"
 #include "scene/pivot/top_motion.h"
@@ -202,14 +203,19 @@ int rot_pivot_is_driven(const rot_free_params *p) {
          p->torque[1] != 0.0 || p->torque[2] != 0.0;
 }
 
-rot_status rot_pivot_nutation(const rot_free_params *p, double out[3]) {
-  run r;
-  int acts = rot_pivot_is_driven(p) || p->motors;
+/* 1 if the body is driven or has motors, else 0. */
+static int acts(const rot_free_params *p) {
+  int found = rot_pivot_is_driven(p) || p->motors;
   /* A rotor of constant speed is part of the closed form. */
   for (size_t i = 0; i < p->n_rotors; i++) {
-    acts |= p->rotors[i].torque != 0.0 || p->rotors[i].n_knots;
+    found |= p->rotors[i].torque != 0.0 || p->rotors[i].n_knots;
   }
-  if (acts) return ROT_EVALUE;
+  return found;
+}
+
+rot_status rot_pivot_nutation(const rot_free_params *p, double out[3]) {
+  run r;
+  if (acts(p)) return ROT_EVALUE;
   const rot_status status = begin(p, &r);
   if (status != ROT_OK) return status;
   const rot_top_nutation n = rot_top_nutates(&r.motion);
@@ -217,4 +223,46 @@ rot_status rot_pivot_nutation(const rot_free_params *p, double out[3]) {
   out[1] = n.amplitude_rad;
   out[2] = n.precession_rad_per_s;
   return ROT_OK;
+}
+
+static double dot(const double a[3], const double b[3]) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const double a[3], const double b[3], double out[3]) {
+  for (int i = 0; i < 3; i++) {
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    out[i] = a[j] * b[k] - a[k] * b[j];
+  }
+}
+
+/* The line is that of the rotation, at rest that of the torque, of a top without torque any across
+ * its axis. It must be a horizontal principal axis with the centre of mass beside it. */
+int rot_pivot_plane(const rot_free_params *p, rot_pivot_pendulum *out) {
+  static const double down_space[3] = {0.0, 0.0, -1.0};
+  const double *m = p->moment_kg_m2, *g = p->lever_n_m, weight = rot_length(g);
+  const double max = fmax(m[0], fmax(m[1], m[2]));
+  double w[3], q[4], down[3], torque[3], line[3], off = 0.0;
+  if (acts(p) || p->n_rotors || weight == 0.0) return 0;
+  rot_free_principal(p, w, q);
+  rot_attitude_to_body(q, down_space, down);
+  cross(g, down, torque);
+  const int axis = rot_pivot_axis(p), turns = rot_length(w) > 0.0,
+            pulled = rot_length(torque) > 0.0;
+  if (!turns && !pulled && axis < 0) return 0;
+  for (int i = 0; i < 3; i++) line[i] = turns ? w[i] : pulled ? torque[i] : i == (axis + 1) % 3;
+  const double length = rot_length(line);
+  for (int i = 0; i < 3; i++) line[i] /= length;
+  out->moment_kg_m2 =
+      m[0] * line[0] * line[0] + m[1] * line[1] * line[1] + m[2] * line[2] * line[2];
+  for (int i = 0; i < 3; i++) {
+    off = fmax(off, fabs((m[i] - out->moment_kg_m2) * line[i]) / max);
+  }
+  off = fmax(off, fmax(fabs(dot(line, g)) / weight, turns || pulled ? fabs(dot(line, down)) : 0.0));
+  if (!(off <= ALIKE)) return 0;
+  const double sign = dot(g, down) < 0.0 ? -1.0 : 1.0;
+  out->weight_n_m = sign * weight;
+  out->angle_rad = atan2(-sign * dot(line, torque), sign * dot(g, down));
+  out->omega_rad_per_s = dot(line, w);
+  return 1;
 }

@@ -37,4 +37,16 @@ void rot_pivot_lever(const rot_free_params *p, const double q[4], double lever_n
  * precession in rad/s}. */
 rot_status rot_pivot_nutation(const rot_free_params *p, double out[3]);
 
+/* A pendulum about a fixed line through the pivot: I angle'' = -G sin(angle). */
+typedef struct rot_pivot_pendulum {
+  double moment_kg_m2; /* I, about the line */
+  double weight_n_m;   /* G, m g times the distance; < 0: the angle is from the highest position */
+  double angle_rad, omega_rad_per_s; /* at the start; angle of the centre of mass from the lowest
+                                        position or the highest, the nearer one */
+} rot_pivot_pendulum;
+
+/* parameters => pendulum. Returns 0 if the centre of mass leaves a vertical plane through the pivot,
+ * or more than gravity acts, else 1. */
+int rot_pivot_plane(const rot_free_params *p, rot_pivot_pendulum *out);
+
 #endif

@@ -17,27 +17,17 @@ static double formula_error(double i1, double weight, double cosine, double mome
   return fabs(x / (1.0 + x));
 }
 
-/* Exactly upright a top stays. Beside the vertical one that sleeps nutates with the period said
- * here, as a hanging one does; one that does not sleep falls, the later the nearer it began. */
-static void release(const rot_precession_input *in, double weight, double cosine, int vertical,
+/* A vertical top stays; its period is that of a small nutation. A hanging one is computed as an
+ * upright one whose axis, spin and lever are reversed, with the same rates. */
+static void release(const rot_precession_input *in, double weight, int vertical,
                     rot_precession *out) {
-  const double below_pi = pi * 0x1p-53; /* as far from pi as the double pi is, or nearly */
-  const double sleeps = rot_precession_sleeps(in->axial_kg_m2, in->transverse_kg_m2, in->mass_kg,
-                                              in->lever_arm_m * cosine, in->gravity_m_per_s2);
+  const double flip = vertical && in->angle_deg > 90.0 ? -1.0 : 1.0;
+  const double theta = vertical ? 0.0 : in->angle_deg * (pi / 180.0);
   rot_top_start start;
   rot_top_motion motion;
-  double theta = in->angle_deg * (pi / 180.0);
-  if (vertical) {
-    if (fabs(in->spin_rad_per_s) <= sleeps) {
-      out->nutation_s = INFINITY;
-      out->lowest_deg = in->angle_deg;
-      return;
-    }
-    theta = cosine > 0.0 ? below_pi : pi - below_pi;
-  }
-  rot_top_from_euler(0.0, theta, 0.0, 0.0, 0.0, in->spin_rad_per_s, &start);
+  rot_top_from_euler(0.0, theta, 0.0, 0.0, 0.0, flip * in->spin_rad_per_s, &start);
   const rot_status status =
-      rot_top_begin(in->transverse_kg_m2, in->axial_kg_m2, weight, &start, 0.0, &motion);
+      rot_top_begin(in->transverse_kg_m2, in->axial_kg_m2, flip * weight, &start, 0.0, &motion);
   if (status == ROT_ERANGE) { /* limits for a fast spin */
     out->nutation_s = 2.0 * pi / fabs(in->spin_rad_per_s) / in->axial_kg_m2 * in->transverse_kg_m2;
     out->lowest_deg = in->angle_deg;
@@ -70,7 +60,7 @@ rot_precession rot_precession_of(const rot_precession_input *in) {
   rot_top_steady(in->transverse_kg_m2, in->axial_kg_m2, weight, cosine, in->spin_rad_per_s,
                  &out.slow_rad_per_s, &out.fast_rad_per_s);
   out.error = formula_error(in->transverse_kg_m2, weight, cosine, momentum);
-  release(in, weight, cosine, sine == 0.0, &out);
+  release(in, weight, sine == 0.0, &out);
   return out;
 }
 

@@ -318,9 +318,18 @@ static void begin_angles(const setup *s, rot_dd spin, rot_top_motion *out) {
   }
 }
 
+/* Steady rate beside the vertical, the slow one: r^2 u - a r + beta/2 = 0. NaN: unstable. */
+static double slow_precession(const setup *s) {
+  const rot_dd twice_beta = twice(s->up.hi > s->down.hi ? s->beta : rot_dd_neg(s->beta));
+  const rot_dd disc = rot_dd_sub(square(s->a), twice_beta);
+  if (!(disc.hi >= 0.0)) return NAN;
+  return s->beta.hi / (s->a.hi + copysign(root(disc).hi, s->a.hi));
+}
+
 /* Mean of phi' = (turning + a swing cn^2)/((1 - u)(1 + u)), turning that of the highest point. A
  * small swing: as the sum of the means over 1 - u and 1 + u, in which the spin does not cancel. */
 static double mean_precession(const setup *s, const rot_top_motion *m) {
+  if (m->steady && (s->down.hi == 0.0 || s->up.hi == 0.0)) return slow_precession(s);
   if (m->steady) return rot_dd_div(s->turning, rot_dd_mul(s->down, s->up)).hi;
   if (s->swing.hi > s->above.hi || s->swing.hi > s->below.hi) {
     return 0.5 * rot_dd_add(m->sum.rate, m->difference.rate).hi;
@@ -375,6 +384,7 @@ static void begin_moving(setup *s, rot_dd spin, rot_top_motion *out) {
   out->above = s->above.hi;
   out->below = s->below.hi;
   out->swing = s->swing.hi;
+  if (out->steady) out->nutates = sqrt(fmax(s->beta.hi * s->x[2].hi, 0.0));
   if (!out->steady) rot_jacobi_begin(s->m1, &out->jacobi);
   begin_angles(s, spin, out);
   begin_halves(s, out);
@@ -678,6 +688,7 @@ rot_top_nutation rot_top_nutates(const rot_top_motion *m) {
   rot_top_nutation out = {INFINITY, m->cosine, m->cosine, start, 0.0, NAN};
   if (m->weightless) return out;
   out.precession_rad_per_s = ldexp(m->precession, m->exponent);
+  if (m->steady && m->nutates > 0.0) out.period_s = ldexp(2.0 * pi / m->nutates, -m->exponent);
   if (m->steady) return out;
   const double flip = m->hangs ? -1.0 : 1.0;
   const double low = m->below < 1.0 ? m->below - 1.0 : 1.0 - (m->above + m->swing);

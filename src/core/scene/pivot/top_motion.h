@@ -56,7 +56,8 @@ typedef struct rot_top_motion {
   double b_minus_a, b_plus_a; /* phi' = (b - a u)/(1 - u^2) */
   double above, below, swing; /* 1 - u2, 1 + u1, u2 - u1, with u in [u1, u2] */
   double cosine;              /* u at the start */
-  double precession;          /* mean of phi'; NaN: weightless, or permanently vertical */
+  double precession;          /* mean of phi'; NaN: weightless, or balanced upright */
+  double nutates;             /* steady: frequency of a small nutation; 0: unstable */
   rot_dd lambda, start;       /* argument of the elliptic functions: lambda t + start */
   rot_jacobi jacobi;
   rot_top_angle sum, difference;  /* phi + psi, phi - psi */
@@ -99,11 +100,11 @@ void rot_top_at(const rot_top_motion *motion, rot_dd t, rot_top_state *out);
 
 /* The nutation of a motion. */
 typedef struct rot_top_nutation {
-  double period_s;                      /* > 0; Inf: none */
+  double period_s;                      /* > 0, of a small one if u is constant; Inf: none */
   double lowest_cosine, highest_cosine; /* limits of u */
   double lowest_rad;                    /* angle of axis 3 where the centre of mass is lowest */
   double amplitude_rad;                 /* half the difference of the two angles */
-  double precession_rad_per_s;          /* mean of phi' */
+  double precession_rad_per_s;          /* mean of phi'; vertical: the slow rate beside it */
 } rot_top_nutation;
 
 /* motion => nutation. */
