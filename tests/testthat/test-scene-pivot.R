@@ -345,6 +345,28 @@ test_that("a reaction wheel swings a pendulum against the motor's torque", {
   )
 })
 
+test_that("a top in next to no gravity moves as without", {
+  t <- c(-1, 0, 2)
+  top <- function(gravity, ...) {
+    scene_pivot(
+      c(0.0042, 0.0042, 0.002), c(0.1, 0, 60), mass_kg = 0.5, centre_m = c(0, 0, 0.08),
+      attitude0 = attitude_from(c(1, 0, 0, pi / 6), "axis_angle"), gravity_m_per_s2 = gravity, ...
+    )
+  }
+  free <- trajectory(top(0), t)
+  for (gravity in c(1e-50, 1e-60, 1e-100, 1e-300)) {
+    motion <- trajectory(top(gravity), t)
+    expect_lte(max(attitude_difference(motion, free)), 1e-9)
+  }
+  expect_match(
+    subset(choose_model(top(1e-100), t), model == "pivot_top")$reason, "gravity is below 1e-60"
+  )
+  # Of the rotor, too.
+  spun <- top(1e-100, rotors = rotor("z", 1e-4, 100))
+  still <- top(0, rotors = rotor("z", 1e-4, 100))
+  expect_lte(max(attitude_difference(trajectory(spun, t), trajectory(still, t))), 1e-9)
+})
+
 test_that("the impulses of a plane pendulum balance along any axis of the body", {
   t <- seq(0, 10, by = 0.1)
   for (k in 1:3) for (line in list(c(1, 0, 0), c(0, 1, 0))) {

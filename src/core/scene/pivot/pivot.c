@@ -35,14 +35,33 @@ static int along(const rot_free_rotors *r, int k) {
   return 1;
 }
 
+/* => angular momentum of rotors along axis k, relative to the body */
+static rot_dd wheels_of(const rot_free_rotors *r, int k) {
+  rot_dd sum = {0.0, 0.0};
+  for (size_t i = 0; i < r->p->n_rotors; i++) { /* with constant speeds, like omega3 */
+    const rot_free_rotor *one = &r->p->rotors[i];
+    const rot_dd spin = rot_dd_mul2(one->moment_kg_m2, one->omega_rad_per_s);
+    sum = rot_dd_add(sum, r->axis[i][k] < 0.0 ? rot_dd_neg(spin) : spin);
+  }
+  return sum;
+}
+
 const char *rot_pivot_not_top(const rot_free_params *p) {
   const int k = rot_pivot_axis(p);
+  double w[3], q[4], wheels = 0.0;
   rot_free_rotors rotors;
   if (k < 0) return "it is no symmetric top";
-  if (!p->n_rotors) return NULL;
-  const char *why = rot_free_rotors_begin(p, &rotors);
-  if (why) return why;
-  return along(&rotors, k) ? NULL : "the rotors are not along the axis of symmetry";
+  if (p->n_rotors) {
+    const char *why = rot_free_rotors_begin(p, &rotors);
+    if (why) return why;
+    if (!along(&rotors, k)) return "the rotors are not along the axis of symmetry";
+    wheels = wheels_of(&rotors, k).hi;
+  }
+  rot_free_principal(p, w, q);
+  const double fastest = fmax(fabs(w[0]), fmax(fabs(w[1]), fabs(w[2])));
+  return rot_top_is_light(p->moment_kg_m2[(k + 1) % 3], p->lever_n_m[k], wheels, fastest)
+             ? "gravity is below 1e-60 of the squares of its rates"
+             : NULL;
 }
 
 void rot_pivot_sharpen(rot_free_params *p, double mass_kg, double gravity_m_per_s2,
@@ -99,11 +118,7 @@ static rot_status begin(const rot_free_params *p, run *r) {
   if (p->n_rotors && (rot_free_rotors_begin(p, &r->rotors) || !along(&r->rotors, k))) {
     return ROT_EVALUE;
   }
-  for (size_t i = 0; i < p->n_rotors; i++) { /* with constant speeds, like omega3 */
-    const rot_free_rotor *one = &p->rotors[i];
-    const rot_dd spin = rot_dd_mul2(one->moment_kg_m2, one->omega_rad_per_s);
-    wheels = rot_dd_add(wheels, r->rotors.axis[i][k] < 0.0 ? rot_dd_neg(spin) : spin);
-  }
+  if (p->n_rotors) wheels = wheels_of(&r->rotors, k);
   r->p = p;
   r->axis = k;
   for (int i = 0; i < 4; i++) r->turn[i] = rot_pivot_turns[k][i];

@@ -9,7 +9,7 @@
 int rot_pivot_is_driven(const rot_free_params *p);
 
 /* parameters => NULL, or why the body is no symmetric top: the lever is not along a principal axis,
- * or the moments across it differ. */
+ * the moments across it differ, or gravity is too small beside the rates. */
 const char *rot_pivot_not_top(const rot_free_params *p);
 
 /* parameters => axis of symmetry 0, 1 or 2 (the lever is along it); -1: no symmetric top. */

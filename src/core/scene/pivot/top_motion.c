@@ -408,19 +408,37 @@ static void begin_moving(setup *s, rot_dd spin, rot_top_motion *out) {
       swing_of(out, &out->difference, out->start.hi, sn, cn, dn, &out->difference.rounding);
 }
 
+/* Largest ratio of the rates to that of gravity, power of two: beta is at least 2^-200 of the
+ * squares of the rates. */
+enum { MAX_RATIO = 100 };
+
+/* => exponent of the unit of time: of the largest rate; *half: of that of gravity, sqrt(G/I1). */
+static int exponent_of(double i1, double weight, double wheels, double omega, int *half) {
+  int e_moment, e_own, e;
+  (void)frexp(i1, &e_moment);
+  (void)frexp(weight, &e_own);
+  const int e_beta = e_own - e_moment;
+  e = *half = (e_beta >= 0 ? e_beta + 1 : e_beta) / 2;
+  (void)frexp(omega, &e_own);
+  if (omega != 0.0 && e_own > e) e = e_own;
+  (void)frexp(wheels, &e_own);
+  return wheels != 0.0 && e_own - e_moment + 1 > e ? e_own - e_moment + 1 : e;
+}
+
+int rot_top_is_light(double i1, double weight, double wheels, double omega) {
+  int half;
+  return weight != 0.0 && exponent_of(i1, weight, wheels, omega, &half) - half > MAX_RATIO;
+}
+
 /* (moments, weight, constants) => motion: unit of time, zeros of u'^2, kind of motion. */
 static rot_status begin_scaled(double i1, double i3, rot_dd weight, setup *s, rot_top_motion *out) {
-  int e_ratio, e_beta;
+  int e_ratio, e_beta, half;
+  const double fastest =
+      fmax(fabs(s->omega[0].hi), fmax(fabs(s->omega[1].hi), fabs(s->omega[2].hi)));
+  const int e = exponent_of(i1, weight.hi, s->wheels.hi, fastest, &half);
   const rot_dd ratio = i3 > 0.0 ? quotient((rot_dd){i3, 0.0}, i1, &e_ratio) : none;
   const rot_dd moments = i3 > 0.0 ? rot_dd_ldexp(ratio, e_ratio) : none;
   const rot_dd beta = quotient(rot_dd_abs(weight), i1, &e_beta);
-  const int half = (e_beta >= 0 ? e_beta + 1 : e_beta) / 2;
-  int e = half;
-  for (int i = 0; i < 3; i++) {
-    int ei = 0;
-    if (s->omega[i].hi != 0.0) (void)frexp(s->omega[i].hi, &ei);
-    if (s->omega[i].hi != 0.0 && ei > e) e = ei;
-  }
   int e_wheels = 0;
   rot_dd wheels = none;
   if (s->wheels.hi != 0.0) {
@@ -429,9 +447,8 @@ static rot_status begin_scaled(double i1, double i3, rot_dd weight, setup *s, ro
     (void)frexp(s->wheels.hi, &e_own);
     wheels = rot_dd_div(rot_dd_ldexp(s->wheels, -e_own), (rot_dd){moment, 0.0});
     e_wheels = e_own - e_moment;
-    if (e_wheels + 1 > e) e = e_wheels + 1;
   }
-  if (e - half > 100) return ROT_ERANGE; /* beta below 2^-200 of the squares of the rates */
+  if (e - half > MAX_RATIO) return ROT_ERANGE;
   out->exponent = e;
   s->beta = rot_dd_ldexp(beta, 1 + e_beta - 2 * e);
   for (int i = 0; i < 3; i++) s->omega[i] = rot_dd_ldexp(s->omega[i], -e);
