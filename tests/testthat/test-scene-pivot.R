@@ -345,6 +345,28 @@ test_that("a reaction wheel swings a pendulum against the motor's torque", {
   )
 })
 
+test_that("a top at rest upright stays, one beside that falls with all its digits", {
+  rate <- sqrt(0.5 * 9.80665 * 0.08 / 0.0042)
+  t <- c(0, 0.5, 1, 2)
+  at_rest <- function(q) {
+    scene_pivot(c(0.0042, 0.0042, 0.002), c(0, 0, 0), mass_kg = 0.5, centre_m = c(0, 0, 0.08),
+                attitude0 = q)
+  }
+  still <- trajectory(at_rest(attitude_from(c(0, 0, 1, 1), "axis_angle")), t)
+  expect_lt(trajectory_run(still)$info$error, 1e-14)
+  expect_identical(still$omega_x_rad_per_s, c(0, 0, 0, 0))
+  # Next to the top theta'' = rate^2 theta.
+  for (angle in c(1e-140, 1e-100, 1e-20, 1e-17, 1e-13)) {
+    falls <- trajectory(at_rest(c(1, angle / 2, 0, 0)), t)
+    info <- trajectory_run(falls)$info
+    expect_lt(info$error, 1e-12)
+    near <- if (angle > 1e-14) 1:3 else 1:4
+    expect_equal(2 * falls$qx[near] / angle, cosh(rate * t[near]), tolerance = 1e-13)
+    omega <- falls$omega_x_rad_per_s[near]
+    expect_lte(max(abs(omega - angle * rate * sinh(rate * t[near]))), info$errors[["omega"]])
+  }
+})
+
 test_that("a top in next to no gravity moves as without", {
   t <- c(-1, 0, 2)
   top <- function(gravity, ...) {

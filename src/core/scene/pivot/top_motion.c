@@ -399,9 +399,10 @@ static void begin_moving(setup *s, rot_dd spin, rot_top_motion *out) {
     for (int i = 0; i < 2; i++) out->sum0[i] = -out->sum0[i];
   }
   const double gap = s->x[2].hi - s->x[1].hi;
-  out->m1_loss = gap > 0.0 ? 32.0 * ROT_DD_EPS * (1.0 + square(s->x[2]).hi / (gap * gap)) *
-                                 (1.0 + fabs(s->x[2].hi) / width)
-                           : ROT_DD_EPS;
+  const double far = s->x[2].hi / gap;
+  out->m1_loss = gap > 0.0
+                     ? 32.0 * ROT_DD_EPS * (1.0 + far * far) * (1.0 + fabs(s->x[2].hi) / width)
+                     : ROT_DD_EPS;
   rot_jacobi_at(&out->jacobi, out->start, &sn, &cn, &dn);
   out->sum.start = swing_of(out, &out->sum, out->start.hi, sn, cn, dn, &out->sum.rounding);
   out->difference.start =
@@ -469,10 +470,11 @@ static rot_status begin_scaled(double i1, double i3, rot_dd weight, setup *s, ro
   out->pull = 0.5 * s->beta.hi;
   out->b_minus_a = s->minus.hi;
   out->b_plus_a = s->plus.hi;
-  const double high = rot_dd_add(square(w[0]), square(w[1])).hi + s->beta.hi * s->up.hi;
+  begin_moving(s, spin, out);
+  const double across = rot_dd_add(square(w[0]), square(w[1])).hi;
+  const double high = out->steady ? across : across + s->beta.hi * s->up.hi;
   out->rate = sqrt(high + w[2].hi * w[2].hi);
   if (wheels.hi != 0.0) out->rate += fabs(ldexp(wheels.hi, e_wheels - e));
-  begin_moving(s, spin, out);
   return ROT_OK;
 }
 
@@ -609,9 +611,9 @@ static double unsteadiness(const rot_top_angle *angle, double even, double sn, d
 }
 
 /* Error bounds of the state, from errors of the argument, the rates and the functions. sn: of the
- * argument. */
+ * argument; depth: its distance from the nearer of 0 and K. */
 static void judge(const rot_top_motion *m, rot_dd t, double u, double turns, double sn,
-                  const tilt *now, double rounding, rot_top_state *out) {
+                  double depth, const tilt *now, double rounding, rot_top_state *out) {
   const double time = fabs(t.hi), m1 = m->jacobi.m1, up = fabs(now->up), down = fabs(now->down);
   const double mean = fabs(m->sum.rate.hi * up) + fabs(m->difference.rate.hi * down);
   const double even = m->sum.size * up + m->difference.size * down;
@@ -624,6 +626,7 @@ static void judge(const rot_top_motion *m, rot_dd t, double u, double turns, dou
   const double known =
       2.0 * m->rate * (q - time * (m->sum_error * up + m->difference_error * down)) + across * psi;
   double turn = 0.0, speed = 0.0; /* due to the error of the argument */
+  double plane = INFINITY;        /* error of the rate of a plane motion */
   if (!m->steady) {
     const double modulus = m->m1_loss + m->given * (m1 > 0.0 ? 16.0 / m1 : 16.0);
     double width = 1e-3, du = m->start_error + 8.0 * (ROT_DD_EPS + m->given) * fabs(u) +
@@ -640,10 +643,14 @@ static void judge(const rot_top_motion *m, rot_dd t, double u, double turns, dou
     speed =
         by * (small ? fmin(2.0 * m->rate * any, 1.1 * (pull + m->pull) + 2.0 * m->rate * du * any)
                     : 2.0 * m->rate * any);
+    /* In a plane, where u'' is the torque, digits do not cancel: close to the top all are small. */
+    if (small && m->spin == 0.0 && m->b_minus_a == 0.0 && m->b_plus_a == 0.0) {
+      plane = 32.0 * ROT_EPS * (1.0 + depth) * fabs(now->rate) + 2.4 * by * m->pull * up * down;
+    }
   }
   out->q_error = fmin(q + turn, pi);
-  out->omega_error =
-      rot_ldexp(16.0 * ROT_EPS * m->rate + fmin(known + speed, 4.0 * m->rate), m->exponent);
+  const double any = 16.0 * ROT_EPS * m->rate + fmin(known + speed, 4.0 * m->rate);
+  out->omega_error = rot_ldexp(fmin(any, plane), m->exponent);
 }
 
 static void free_at(const rot_top_motion *m, rot_dd t, rot_top_state *out) {
@@ -674,7 +681,7 @@ void rot_top_at(const rot_top_motion *m, rot_dd t, rot_top_state *out) {
   if (m->steady) {
     const tilt still = tilt_steady(m);
     put_state(m, &still, sum, difference, out);
-    judge(m, now, 0.0, 0.0, 0.0, &still, 0.0, out);
+    judge(m, now, 0.0, 0.0, 0.0, 0.0, &still, 0.0, out);
     return;
   }
   const rot_dd u = rot_dd_add(rot_dd_mul(m->lambda, now), m->start);
@@ -691,7 +698,8 @@ void rot_top_at(const rot_top_motion *m, rot_dd t, rot_top_state *out) {
   }
   const tilt tilted = tilt_now(m, sn, cn, dn);
   put_state(m, &tilted, sum, difference, out);
-  judge(m, now, u.hi, turns, sn, &tilted,
+  const double depth = fmin(fabs(r.hi), m->jacobi.k.hi - fabs(r.hi));
+  judge(m, now, u.hi, turns, sn, depth, &tilted,
         (rounding[0] + m->sum.rounding) * fabs(tilted.up) +
             (rounding[1] + m->difference.rounding) * fabs(tilted.down),
         out);
