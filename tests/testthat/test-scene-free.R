@@ -196,3 +196,15 @@ test_that("an attitude is numbers: no text, no object of another class", {
     expect_error(start(wrong), "attitude0", class = "rotdyn_error")
   }
 })
+
+test_that("steps of fixed length balance over rows on both sides of the start", {
+  set.seed(5)
+  for (i in 1:40) {
+    body <- scene_free(
+      stats::runif(3, 0.5, 1), stats::rnorm(3), resistance = resistance(damping_per_s = 0.3),
+      start_s = -1
+    )
+    shown <- audit(trajectory(body, c(-2.2, -1, 0.3, 1.5), model = "free_rk4", accuracy = 1))
+    expect_identical(shown$verdict, rep("balanced", 5))
+  }
+})

@@ -432,7 +432,8 @@ static void note_errors(const run *r, const run *half, double flow_error[], rot_
     omega = fmax(omega, factor * by_omega);
     momentum = fmax(momentum, factor * fmax(by_momentum, by_rotors));
     for (int f = 0; f < ROT_FREE_FLOWS; f++) {
-      flow_error[f] = fmax(flow_error[f], factor * fabs(x[STATE + f] - y[STATE + f]));
+      /* of differences between two rows, which may be on both sides of the start */
+      flow_error[f] = fmax(flow_error[f], 2.0 * factor * fabs(x[STATE + f] - y[STATE + f]));
     }
   }
   rot_info_measures(info, rot_free_measures);
