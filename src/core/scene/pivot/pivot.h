@@ -33,7 +33,7 @@ rot_status rot_pivot_top(const rot_free_params *p, size_t n, const double time_s
  * potential energy. */
 void rot_pivot_lever(const rot_free_params *p, const double q[4], double lever_n_m[3]);
 
-/* parameters => nutation: {period in s, half the difference of the inclinations in rad, mean rate of
+/* parameters => nutation: {period in s, half the difference of the inclinations in rad, mean
  * precession in rad/s}. */
 rot_status rot_pivot_nutation(const rot_free_params *p, double out[3]);
 
@@ -45,8 +45,8 @@ typedef struct rot_pivot_pendulum {
                                         position or the highest, the nearer one */
 } rot_pivot_pendulum;
 
-/* parameters => pendulum. Returns 0 if the centre of mass leaves a vertical plane through the pivot,
- * or more than gravity acts, else 1. */
+/* parameters => pendulum. Returns 0 if the centre of mass leaves a vertical plane, or more than
+ * gravity acts, else 1. */
 int rot_pivot_plane(const rot_free_params *p, rot_pivot_pendulum *out);
 
 #endif

@@ -77,8 +77,8 @@ typedef struct rot_top_motion {
 rot_status rot_top_begin(double transverse_kg_m2, double axial_kg_m2, double weight_n_m,
                          const rot_top_start *start, double given, rot_top_motion *out);
 
-/* (transverse moment, G, momentum of wheels, largest component of the initial rates) => 1 if that is
- * a ROT_ERANGE, else 0. */
+/* (transverse moment, G, momentum of wheels, largest component of the initial rates) => 1 if that
+ * is a ROT_ERANGE, else 0. */
 int rot_top_is_light(double transverse_kg_m2, double weight_n_m, double wheels,
                      double omega_rad_per_s);
 
