@@ -27,11 +27,11 @@ axle_constraint <- function() {
       function() reader$at(scene$start_s)
     },
     more_events = axle_swing_events,
-    summary = function(x, run) {
+    summary = function(x, run, call) {
       names <- c(
         "omega_rad_per_s", "angular_momentum_kg_m2_per_s", "rotational_kinetic_energy_j"
       )
-      extremes <- largest_values(x, run, names, NULL)
+      extremes <- largest_values(x, run, names, call)
       value <- function(name) extremes$value[[name]] %||% NA_real_
       time <- function(name) extremes$time_s[[name]] %||% NA_real_
       list(

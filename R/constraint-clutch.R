@@ -21,7 +21,7 @@ clutch_constraint <- function() {
       omega = measure("rad/s", c("omega_1_rad_per_s", "omega_2_rad_per_s"), largest_distance)
     ),
     time_scales = NULL,
-    summary = function(x, run) {
+    summary = function(x, run, call) {
       list(
         final_omega_1_rad_per_s = last(x[["omega_1_rad_per_s"]]),
         final_omega_2_rad_per_s = last(x[["omega_2_rad_per_s"]]),

@@ -17,7 +17,7 @@ drive_constraint <- function() {
     },
     periods = drive_periods,
     stops = stops_at_rest(stop_theta_rad = "theta_rad"),
-    summary = function(x, run) {
+    summary = function(x, run, call) {
       whole <- function(column) {
         if (!is.null(x[[column]])) rowsum(x[[column]], as.character(x$time_s))
       }

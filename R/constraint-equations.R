@@ -24,7 +24,7 @@ equations_constraint <- function() {
       abort_no_closed_form("time of a stop", "{.fn trajectory} shows the motion.", call)
     },
     slopes = equations_slopes, time_scales = equations_time_scales, call_laws = call_equations,
-    summary = function(x, run) {
+    summary = function(x, run, call) {
       states <- names(run$scene$start)
       lapply(stats::setNames(states, paste0("final_", states)), function(name) last(x[[name]]))
     },

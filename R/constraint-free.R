@@ -10,7 +10,7 @@ free_constraint <- function() {
     bodies = rep("body", 3), # one for each principal moment
     measures = free_measures(),
     call_laws = call_free_laws,
-    summary = function(x, run) {
+    summary = function(x, run, call) {
       c(sizes_in_space(x), list(
         flip_time_s = if (length(acts_on_flips(run$scene))) NA_real_ else scene_flip_time(run$scene)
       ))

@@ -41,14 +41,14 @@ incline_constraint <- function() {
       at <- at[seq_len(count_law_arguments(f, function(n) n))]
       function() do.call(f, at)
     },
-    summary = function(x, run) {
+    summary = function(x, run, call) {
       first <- function(event) {
         c(run$events$time_s[run$events$event == event], NA_real_)[1]
       }
       # x is positive down a slope of positive angle; the level is equally high everywhere.
       down <- sign(run$scene$incline_angle_deg)
       extremes <- largest_values(
-        x, run, c("x_m", "v_m_per_s", "omega_rad_per_s"), NULL, minimum = if (down > 0) "x_m"
+        x, run, c("x_m", "v_m_per_s", "omega_rad_per_s"), call, minimum = if (down > 0) "x_m"
       )
       if (down == 0) {
         extremes$value$x_m <- x[["x_m"]][1]

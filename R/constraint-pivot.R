@@ -8,7 +8,7 @@ pivot_constraint <- function() {
     bodies = rep("body", 3), # one for each principal moment
     measures = free_measures(),
     call_laws = call_free_laws,
-    summary = function(x, run) {
+    summary = function(x, run, call) {
       nutation <- .Call(ffi_pivot_nutation, run$scene) %||% rep(NA_real_, 3)
       c(sizes_in_space(x), list(
         nutation_period_s = nutation[1], mean_precession_rad_per_s = nutation[3]

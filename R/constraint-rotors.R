@@ -31,7 +31,7 @@ rotors_constraint <- function() {
     keys = c("time_s", "rotor", "theta_rad", "omega_rad_per_s", "shaft_torque_n_m"),
     time_scales = rotors_time_scales,
     periods = function(scene, call) periods_of_modes(shaft_modes(scene)$natural_rad_per_s),
-    summary = function(x, run) {
+    summary = function(x, run, call) {
       whole <- function(column) {
         if (!is.null(x[[column]])) rowsum(x[[column]], as.character(x$time_s))
       }

@@ -148,13 +148,14 @@ search_column <- function(read, slopes, column, time_s) {
 
 # The largest value of each column (the least of those in `least`) within the span of the rows, and
 # the first time there: list(value, time_s), named. Of values that the run did not compute, and
-# where the model does not run again, those of the rows.
+# where the model does not run again, those of the rows, with a warning.
 largest_values <- function(x, run, columns, call, minimum = character()) {
   rows <- unclass(x)[intersect(columns, names(x))]
   found <- list(time_s = x$time_s, columns = rows)
   if (nrow(x) && is.finite(run$info$error)) {
     again <- tryCatch(
-      search_extremes(run, columns, range(x$time_s), call), rotdyn_error = function(e) NULL
+      search_extremes(run, columns, range(x$time_s), call),
+      rotdyn_error = function(e) tell_rows_only(e, call)
     )
     found <- again %||% found
   }
@@ -167,6 +168,14 @@ largest_values <- function(x, run, columns, call, minimum = character()) {
     value = Map(function(value, i) value[i], found$columns, at),
     time_s = lapply(at, function(i) found$time_s[i])
   )
+}
+
+tell_rows_only <- function(error, call) {
+  why <- cli::ansi_strip(rlang::cnd_header(error))
+  warn_rotdyn(c(
+    "The maxima are those of the rows: between them the model does not run again.", x = "{why}"
+  ), "failed", call)
+  NULL
 }
 
 # list(time_s, columns): the columns at the times of the grid and at the extremes of any of them.

@@ -26,7 +26,7 @@ table_constraint <- function(id, models, ..., makers = list()) {
       time_scales
     },
     call_laws = function(scene, call) call_table_laws(scene, call),
-    summary = function(x, run) table_summary(unlist(state[table$measures]), x, run),
+    summary = function(x, run, call) table_summary(unlist(state[table$measures]), x, run, call),
     balances = function(x, run, call) table_balances(id, table, x, run),
     conserved = function(scene) table_statements(id, table, scene),
     augment = function(x, run, edges, call) {
@@ -201,9 +201,9 @@ fixed_words <- function(id, ...) {
 }
 
 # The largest rate between the rows, too, of one body; the last values.
-table_summary <- function(state, x, run) {
+table_summary <- function(state, x, run, call) {
   extremes <- if ("omega_rad_per_s" %in% state && is.null(constraint_of(run$scene)$index)) {
-    found <- largest_values(x, run, "omega_rad_per_s", NULL)
+    found <- largest_values(x, run, "omega_rad_per_s", call)
     list(
       max_omega_rad_per_s = found$value[["omega_rad_per_s"]] %||% NA_real_,
       max_omega_time_s = found$time_s[["omega_rad_per_s"]] %||% NA_real_

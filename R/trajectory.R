@@ -536,8 +536,8 @@ describe_error <- function(run) {
 #' One row about a trajectory
 #'
 #' On an axle the maxima are those of the motion from the first row to the last, between the rows,
-#' too: the model runs again where it turns. Of edited rows, and of several bodies, they are over
-#' the rows as they are.
+#' too: the model runs again where it turns. Of edited rows, of several bodies, of spans of more than
+#' 10000 cycles, and where this run fails, they are over the rows as they are.
 #'
 #' @param object,x A `rot_trajectory`.
 #' @param ... Not used.
@@ -545,6 +545,8 @@ describe_error <- function(run) {
 #'   With several rotors the largest values are those of the whole shaft; a clutch has
 #'   `r describe_columns(clutch_summary_columns)`
 #'   instead of those before `model`.
+#' @section Warnings: `rotdyn_warning_failed` if the model does not run again: the maxima are those
+#'   of the rows.
 #' @section Errors: none: the largest and the last of no rows are NA.
 #' @seealso [audit()], [motion_events()], [predict.rot_trajectory()].
 #' @concept maximum
@@ -552,10 +554,10 @@ describe_error <- function(run) {
 #' summary(spin_up())
 #' @export
 summary.rot_trajectory <- function(object, ...) {
-  check_no_dots(...)
-  run <- check_trajectory(object, "object", current_env())
+  call <- check_no_dots(...)
+  run <- check_trajectory(object, "object", call)
   new_table(c(
-    constraint_of(run$scene)$summary(object, run),
+    constraint_of(run$scene)$summary(object, run, call),
     list(
       model = run$model,
       accuracy = run$accuracy,

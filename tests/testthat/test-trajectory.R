@@ -27,6 +27,18 @@ test_that("the maxima are over the rows, with their sign", {
   expect_true(is.na(summary(down[0, ])$final_theta_rad))
 })
 
+test_that("maxima of the rows alone, where the model does not run again, come with a warning", {
+  on <- TRUE
+  law <- function(time_s, theta_rad, omega_rad_per_s) if (on) cos(time_s) else NaN
+  motion <- trajectory(scene_axle(1, law), c(0, 3))
+  expect_equal(summary(motion)$max_angular_velocity_rad_per_s, 1, tolerance = 1e-9)
+  on <- FALSE
+  for (verb in list(summary, glance)) {
+    expect_warning(row <- verb(motion), "those of the rows", class = "rotdyn_warning_failed")
+    expect_equal(row$max_angular_velocity_rad_per_s, sin(3), tolerance = 1e-9)
+  }
+})
+
 test_that("spin_up is a shortcut for a scene", {
   t <- c(0, 2.5, 7)
   expect_equal(
