@@ -64,16 +64,14 @@ plain_json <- function(x) {
   if (is.null(x)) return(NULL)
   if (is.integer(x) || is.double(x)) return(as.double(x))
   if (!is.list(x)) return(as.vector(unclass(x)))
+  row <- lengths(x) > 1L | vapply(x, inherits, NA, "AsIs") # arrays of one are AsIs
   x <- lapply(x, plain_json)
   if (!is.null(names(x)) || !length(x)) return(x)
-  one <- lengths(x) == 1L
   number <- vapply(x, is.double, NA)
   special <- vapply(x, is_special_number, NA)
-  if (all(one & (number | special)) && any(number)) return(vapply(x, as.double, double(1)))
-  if (all(number) && length(unique(lengths(x))) == 1L && length(x[[1]]) > 1L) {
-    return(do.call(rbind, x))
-  }
-  x
+  if (!all(number | special) || !any(number) || length(unique(lengths(x))) > 1L) return(x)
+  x <- lapply(x, as.double)
+  if (all(row)) do.call(rbind, x) else unlist(x)
 }
 
 special_numbers <- c("Inf", "-Inf", "NaN")

@@ -37,7 +37,8 @@ test_that("what was written is read: numbers, rows, strings, levels", {
   skip_if_not_installed("yyjsonr")
   x <- list(
     a = c(1, -0, Inf, NaN), b = matrix(c(1, 2, 3, 4, 5, 6), 2), c = c("x", "NA"), d = TRUE,
-    e = list(f = 2.5, g = list("a", 1)), h = numeric()
+    e = list(f = 2.5, g = list("a", 1)), h = numeric(), i = matrix(c(1, Inf)),
+    j = matrix(c(NaN, -Inf, 1, 2), 2)
   )
   for (indent in c(0L, 2L)) {
     back <- read_json(json_text(x, indent), "text", "scene", NULL)
@@ -46,6 +47,7 @@ test_that("what was written is read: numbers, rows, strings, levels", {
     expect_identical(back[c("c", "d")], x[c("c", "d")])
     expect_identical(back$e, list(f = 2.5, g = list("a", 1)))
     expect_identical(back$h, list())
+    expect_identical(back[c("i", "j")], x[c("i", "j")])
   }
 })
 

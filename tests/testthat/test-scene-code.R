@@ -43,6 +43,15 @@ test_that("numbers have the digits that bring the same bits back", {
   )
 })
 
+test_that("R's parser reads each number, where its long doubles meet the middle of two as well", {
+  set.seed(5)
+  n <- or_long(20000L, 500000L)
+  for (torque_n_m in list(runif(n), runif(n, 1, 10), 10^runif(n, -300, 300), round(runif(n), 3))) {
+    scene <- scene_axle(1, torque_knots(seq_len(n), c(3.645301013417239, torque_n_m[-1])))
+    expect_identical(again(scene), scene)
+  }
+})
+
 test_that("what no such code makes is refused", {
   law <- scene_axle(1, function(time_s) time_s)
   expect_error(scene_code(law), "R function", class = "rotdyn_error_scene")

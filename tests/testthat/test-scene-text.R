@@ -383,6 +383,8 @@ test_that("a polynomial of several pieces is written as one, row by row", {
   text <- gsub("[[:space:]]", "", paste(readLines(file), collapse = ""))
   expect_match(text, '"torque_polynomial"', fixed = TRUE)
   expect_match(text, "[[1,2,3],[4,5,6]]", fixed = TRUE)
+  constant <- scene_axle(1, torque_polynomial(c(0, 1, 2), rbind(1, 2)))
+  expect_identical(read_scene(write_scene(constant)), constant)
 })
 
 test_that("a body of a standard shape has the moments of its sizes, in any axes", {

@@ -5,13 +5,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-int rot_text_number(double x, char text[ROT_TEXT_SIZE]) {
+int rot_text_number(double x, char text[ROT_TEXT_SIZE]) { return rot_text_digits(x, 15, text); }
+
+int rot_text_digits(double x, int digits, char text[ROT_TEXT_SIZE]) {
   if (!isfinite(x)) {
     strcpy(text, isnan(x) ? "NaN" : x > 0.0 ? "Inf" : "-Inf");
   } else if (x == 0.0) {
     strcpy(text, signbit(x) ? "-0.0" : "0");
   } else {
-    for (int digits = 15; digits <= 17; digits++) {
+    for (; digits <= 17; digits++) {
       snprintf(text, ROT_TEXT_SIZE, "%.*g", digits, x);
       if (digits == 17 || strtod(text, NULL) == x) break;
     }

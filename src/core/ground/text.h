@@ -12,6 +12,8 @@
  * unchanged (17 always do). A decimal point in every locale; -0.0 has a point, since readers take
  * -0 as an integer. "Inf", "-Inf", "NaN" where JSON has no number. */
 int rot_text_number(double x, char text[ROT_TEXT_SIZE]);
+/* With at least `digits` of them. */
+int rot_text_digits(double x, int digits, char text[ROT_TEXT_SIZE]);
 
 /* UTF-8 string => quoted and escaped text, its length. `text` has room for six characters for each
  * byte and three more. */

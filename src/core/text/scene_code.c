@@ -1,5 +1,8 @@
 #include "text/scene_code.h"
 
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "ground/text.h"
@@ -130,6 +133,41 @@ static made code_of_numbers(const rot_json *numbers, int level, line_end end, ro
   return CODE;
 }
 
+/* A literal of up to 16 digits => does R's parser read x? It scales the digits in long doubles of 64
+ * bits, with one rounding up to 10^27 and less than 33 beyond, and rounds again: it may read a
+ * neighbour of x where the middle between the two is that close. */
+static int reads_alike(const char *literal, double x) {
+  unsigned long long digits = 0;
+  int power = 0, decimal = 0;
+  for (; *literal && *literal != 'e'; literal++) {
+    if (*literal == '.') decimal = 1;
+    if (*literal < '0' || *literal > '9') continue;
+    digits = 10 * digits + (unsigned)(*literal - '0');
+    power -= decimal;
+  }
+  if (*literal) power += atoi(literal + 1);
+  const int exact = abs(power) <= 27;
+  for (; digits < 1000000000000000; digits *= 10) power--; /* to 16 of them */
+  for (int side = 0; side < 2; side++) {
+    /* Moved by 6e-19 or 2e-17 in units of the first digit: more than 1 and 33 times 10 x 2^-64. */
+    const char *tail = exact ? side ? "9994" : "0006" : side ? "8" : "2";
+    char moved[ROT_TEXT_SIZE];
+    snprintf(moved, sizeof moved, "%llu%se%d", digits - (unsigned)side, tail,
+             power - (int)strlen(tail));
+    if (strtod(moved, NULL) != fabs(x)) return 0;
+  }
+  return 1;
+}
+
+static void write_literal(double x, rot_writer *to) {
+  char literal[ROT_TEXT_SIZE];
+  for (int digits = 15; digits <= 17; digits++) {
+    (void)rot_text_digits(x, digits, literal);
+    if (x == 0.0 || !isfinite(x) || digits == 17 || reads_alike(literal, x)) break;
+  }
+  rot_write(to, "%s", literal);
+}
+
 /* Rows of as many numbers. */
 static int is_matrix(const rot_json *array) {
   for (const rot_json *one = array->first; one; one = one->next) {
@@ -142,13 +180,11 @@ static int is_matrix(const rot_json *array) {
 
 static made code_of(const rot_json *node, const char *name, int level, line_end end,
                     rot_writer *to) {
-  char number[ROT_TEXT_SIZE];
   const rot_json *arguments;
   double x;
   if (end && to->length > end) return TOO_LONG;
   if (rot_json_number(node, &x)) {
-    (void)rot_text_number(x, number);
-    rot_write(to, "%s", number);
+    write_literal(x, to);
     return CODE;
   }
   switch (node->kind) {

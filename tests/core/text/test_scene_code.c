@@ -55,6 +55,19 @@ static void check_code(void) {
          "body_tensor(mass_kg = 1, inertia_kg_m2 = c(1, 1, 1), name = \"a \\\"b\\\\\")");
 }
 
+/* 16 digits that strtod() reads back, but that long doubles of 64 bits round to the middle of two
+ * doubles; those of other numbers do not grow. */
+static void check_literals(void) {
+  EXPECT("{\"scene_axle\": {\"body\": 3.645301013417239}}",
+         "scene_axle(body = 3.6453010134172392)");
+  EXPECT("{\"scene_axle\": {\"body\": 1, \"torque\": [0.1, 1e22, 1e-22, 6.674e-11, 6.02214076e23,"
+         " 123456789012345, 2.5e-7, 5e-324, 1.7976931348623157e308, 0.3333333333333333, -0.7]}}",
+         "scene_axle(\n  body = 1,\n  torque = c(\n"
+         "    0.1, 1e+22, 1e-22, 6.674e-11, 6.02214076e+23, 123456789012345, 2.5e-07,\n"
+         "    4.94065645841247e-324, 1.7976931348623157e+308, 0.3333333333333333,\n"
+         "    -0.7\n  )\n)");
+}
+
 static void check_without_code(void) {
   EXPECT("{\"scene_format\": 2, \"scene_axle\": {\"body\": 1}}", "none");
   EXPECT("{\"scene_orbit\": {\"body\": 1}}", "none");
@@ -118,6 +131,7 @@ static void check_writer(void) {
 
 int main(void) {
   check_code();
+  check_literals();
   check_without_code();
   check_long();
   check_writer();
