@@ -6,7 +6,9 @@
 #   about    points by name; the first is the usual one
 #   normal, contact, and radius_m of a party: for drawings, or NULL
 # Each has one row, or one for each collision. What changes rows leaves a plain tibble.
-new_collision <- function(columns, n, parties, outside, about, normal = NULL, contact = NULL) {
+new_collision <- function(columns, n, parties, outside, about, call, normal = NULL,
+                          contact = NULL) {
+  warn_beyond(columns, list(), n, call)
   new_table(
     columns, nrow = n, class = "rot_collision",
     collision = list(
@@ -24,26 +26,17 @@ collision_form <- list(
   ))
 )
 
-# Rows are told apart by their bits.
 reconstruct_collision <- function(x, from) {
-  kept <- intersect(attr(from, "collision")$columns, names(from))
-  same <- nrow(x) == nrow(from) && all(kept %in% names(x)) &&
-    all(vapply(kept, function(name) identical(x[[name]], from[[name]]), NA))
-  if (same) return(x)
-  attr(x, "collision") <- NULL
-  class(x) <- setdiff(class(x), "rot_collision")
-  x
+  reconstruct_whole(
+    x, from, "collision", intersect(attr(from, "collision")$columns, names(from))
+  )
 }
 
 #' @export
 `[.rot_collision` <- function(x, ...) reconstruct_collision(NextMethod(), x)
 
 #' @exportS3Method dplyr::dplyr_reconstruct
-dplyr_reconstruct.rot_collision <- function(data, template) {
-  attr(data, "collision") <- attr(template, "collision")
-  class(data) <- class(template)
-  reconstruct_collision(data, template)
-}
+dplyr_reconstruct.rot_collision <- function(data, template) reconstruct_collision(data, template)
 
 #' The ledger of a collision
 #'

@@ -18,6 +18,17 @@ new_table <- function(x, nrow = NULL, class = NULL, ...) {
   x
 }
 
+# `x`: `from` after `[` or a verb of dplyr. If its rows or `columns` changed, a plain table without
+# `attribute`, of which the verbs of the class speak.
+reconstruct_whole <- function(x, from, attribute, columns = names(from)) {
+  if (!is.data.frame(x)) return(x)
+  same <- nrow(x) == nrow(from) && all(columns %in% names(x)) &&
+    all(vapply(columns, function(name) identical(x[[name]], from[[name]]), NA))
+  attr(x, attribute) <- if (same) attr(from, attribute)
+  class(x) <- if (same) class(from) else class(from)[-1L]
+  x
+}
+
 # As tibble::tibble(), but that no column is made from another by its name.
 as_table <- function(...) {
   columns <- Filter(Negate(is.null), list(...))

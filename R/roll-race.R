@@ -30,7 +30,8 @@
 #'   time first: the columns of `bodies`, then
 #'   `r describe_columns(race_columns)`
 #'   After its finish a body keeps the state in which it arrived. A body with `beta = 0` does not
-#'   turn. `summary()`: one row for each body, in the order of the finish, with
+#'   turn. With other rows, or without one of these columns, it is a plain tibble.
+#'   `summary()`: one row for each body, in the order of the finish, with
 #'   `r describe_columns(race_summary_columns)`
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` with the row of
 #'   the first value outside its domain, `rotdyn_error_unit`, `rotdyn_error_time`,
@@ -141,6 +142,16 @@ race_times <- function(time_s, frames, finish_s, call) {
   ends <- finish_s[is.finite(finish_s)]
   seq(0, if (length(ends)) max(ends) else 1, length.out = frames)
 }
+
+reconstruct_race <- function(x, from) {
+  reconstruct_whole(x, from, "race", intersect(race_columns, names(from)))
+}
+
+#' @export
+`[.rot_race` <- function(x, ...) reconstruct_race(NextMethod(), x)
+
+#' @exportS3Method dplyr::dplyr_reconstruct
+dplyr_reconstruct.rot_race <- function(data, template) reconstruct_race(data, template)
 
 #' @export
 summary.rot_race <- function(object, ...) {

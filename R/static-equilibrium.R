@@ -44,7 +44,8 @@
 #'   unit vector along which a surface or roller pushes, and
 #'   `r describe_columns(equilibrium_columns)`
 #'   `normal_n` is the push of a surface or roller and the pull of a cable or rod; `friction_n` and
-#'   what follows from it are NA without friction.
+#'   what follows from it are NA without friction. With other rows, or without one of the columns,
+#'   it is a plain tibble.
 #'
 #'   `summary()` and `glance()`: one row with
 #'   `r describe_columns(equilibrium_summary_columns)`
@@ -152,6 +153,14 @@ load_factors <- function(x, ...) {
     above = character()
   )
   tibble::as_tibble(do.call(rbind, c(list(empty), rows)))
+}
+
+#' @export
+`[.rot_equilibrium` <- function(x, ...) reconstruct_whole(NextMethod(), x, "rest")
+
+#' @exportS3Method dplyr::dplyr_reconstruct
+dplyr_reconstruct.rot_equilibrium <- function(data, template) {
+  reconstruct_whole(data, template, "rest")
 }
 
 #' @rdname static_equilibrium

@@ -85,3 +85,18 @@ test_that("bad calls are refused by the user's call", {
   expect_error(roll_race(speed = 2), class = "rotdyn_error_argument")
   expect_error(roll_race(frames = 0), class = "rotdyn_error_value")
 })
+
+test_that("rows that were filtered or changed are no race: they would be taken for the whole", {
+  race <- roll_race(c("hoop", "sphere"))
+  expect_identical(race[], race)
+  expect_s3_class(race[names(race)], "rot_race")
+  for (part in list(race[1:2, ], race["time_s"], race[rev(seq_len(nrow(race))), ])) {
+    expect_false(inherits(part, "rot_race"))
+    expect_null(attr(part, "race"))
+  }
+  expect_output(print(race[1:2, ]), "A tibble: 2")
+  skip_if_not_installed("dplyr")
+  expect_s3_class(dplyr::mutate(race, heat = 1), "rot_race")
+  expect_false(inherits(dplyr::filter(race, lane == 1), "rot_race"))
+  expect_false(inherits(dplyr::mutate(race, x_m = 2 * x_m), "rot_race"))
+})

@@ -555,3 +555,16 @@ test_that("the core takes no contact beside the reactions", {
     expect_error(.Call(rotdyn:::ffi_statics_solve, wrong), "first")
   }
 })
+
+test_that("supports that were filtered or changed are no equilibrium of the whole", {
+  whole <- beam()
+  expect_identical(whole[], whole)
+  for (part in list(whole[1, ], whole["support"], whole[2:1, ])) {
+    expect_false(inherits(part, "rot_equilibrium"))
+    expect_error(summary(reactions(part)), class = "rotdyn_error_type")
+  }
+  skip_if_not_installed("dplyr")
+  expect_s3_class(dplyr::mutate(whole, force_kn = force_n / 1e3), "rot_equilibrium")
+  expect_false(inherits(dplyr::filter(whole, support == "left"), "rot_equilibrium"))
+  expect_false(inherits(dplyr::mutate(whole, force_n = 0), "rot_equilibrium"))
+})
