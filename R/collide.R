@@ -51,8 +51,8 @@
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_missing`,
 #'   `rotdyn_error_argument`, `rotdyn_error_unit`; `rotdyn_error_value` for numbers outside their
 #'   domain, where the bodies separate along the normal, and where the impulse would turn a rod
-#'   about its own axis, where it has no inertia. A row beyond double precision is NaN, with a
-#'   warning (`rotdyn_warning_range`).
+#'   about its own axis, where it has no inertia. A row beyond double precision is NaN, an
+#'   energy alone Inf, with a warning (`rotdyn_warning_range`).
 #' @source Stronge, Impact Mechanics (2000), chapters 4 and 8; Keller, J. Appl. Mech. 53 (1986) 1;
 #'   Routh, Dynamics of a System of Rigid Bodies, part 1 (1905), chapter 8.
 #' @seealso [collision_ledger()], [ball_bounce()] and [hinged_hit()] for bodies on a floor and on a
@@ -155,7 +155,7 @@ collide <- function(body_1, body_2 = NULL, ..., velocity_1_m_per_s, velocity_2_m
     list("the obstacle" = list(point_m = matrix(0, 1, 3), impulse = impulse))
   }
   new_collision(
-    columns, n, parties, outside, list("the contact" = matrix(0, 1, 3)),
+    columns, n, parties, outside, list("the contact" = matrix(0, 1, 3)), call,
     normal = normal
   )
 }

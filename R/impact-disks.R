@@ -26,6 +26,8 @@
 #'   arguments, which have length 1 or n; NA in a row gives NA.
 #'   `disks_lock()`: `r describe_columns(lock_columns, c(friction_loss_j = "energy lost"))`
 #'   `rims_meet()`: `r describe_columns(rims_columns, rims_meanings)`
+#' @section Warnings: `rotdyn_warning_range` where finite numbers give a result beyond double
+#'   precision, such as an energy: it is Inf.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
 #'   `rotdyn_error_unit`, `rotdyn_error_missing`, `rotdyn_error_argument`.
 #' @source OpenStax, University Physics 1 (2016), section 11.3; Routh, Dynamics of a System of Rigid
@@ -67,7 +69,7 @@ disks_lock <- function(body_1, body_2, omega_1_rad_per_s, omega_2_rad_per_s, ...
   common <- rep("common_omega_rad_per_s", 2)
   new_collision(
     out, length(out[[1]]), disk_parties(inertia, columns, cbind(0, 0, 0), common), list(),
-    list("the axle" = cbind(0, 0, 0))
+    list("the axle" = cbind(0, 0, 0)), call
   )
 }
 
@@ -107,7 +109,7 @@ rims_meet <- function(body_1, body_2, omega_1_rad_per_s, omega_2_rad_per_s, rest
       "axle 1" = list(point_m = cbind(0, 0, 0), impulse = c("", "-impulse_n_s", "")),
       "axle 2" = list(point_m = second, impulse = c("", "impulse_n_s", ""))
     ),
-    list("axle 1" = cbind(0, 0, 0), "axle 2" = second),
+    list("axle 1" = cbind(0, 0, 0), "axle 2" = second), call,
     contact = cbind(columns$radius_1_m, 0, 0)
   )
 }

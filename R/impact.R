@@ -41,6 +41,8 @@
 #'   `r describe_columns(bounce_columns)`
 #'   and `r describe_columns(setdiff(hinged_columns, bounce_columns))`
 #'   `centre_of_percussion()`: distances in m from the hinge; Inf for a hinge at the centre of mass.
+#' @section Warnings: `rotdyn_warning_range` where finite numbers give a result beyond double
+#'   precision, such as an energy: it is Inf.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` with the row of
 #'   the first value outside its domain, `rotdyn_error_unit`, `rotdyn_error_missing`,
 #'   `rotdyn_error_argument`.
@@ -94,7 +96,7 @@ ball_bounce <- function(body, vx_m_per_s, vy_m_per_s, omega_rad_per_s = 0, resti
   )
   new_collision(
     out, length(out[[1]]), list("the ball" = ball), list("the floor" = floor),
-    list("the contact" = cbind(0, 0, 0), "the centre" = cbind(0, radius, 0)),
+    list("the contact" = cbind(0, 0, 0), "the centre" = cbind(0, radius, 0)), call,
     normal = cbind(0, 1, 0)
   )
 }
@@ -143,7 +145,8 @@ hinged_hit <- function(body, centre_m, distance_m, particle_mass_kg, particle_v_
     list(
       "the hinge" = cbind(0, 0, 0), "the contact" = cbind(columns$distance_m, 0, 0),
       "the centre" = cbind(a, 0, 0)
-    ), contact = cbind(columns$distance_m, 0, 0)
+    ), call,
+    contact = cbind(columns$distance_m, 0, 0)
   )
 }
 

@@ -170,3 +170,21 @@ test_that("rims meet between their axles: what the axles take balances the momen
     expect_true(all(ledger$verdict == "balanced"))
   }
 })
+
+test_that("energies beyond double precision are Inf, with a warning", {
+  ball <- body_sphere(1, 0.1)
+  beyond <- function(expr, column) {
+    expect_warning(hit <- expr, column, class = "rotdyn_warning_range")
+    expect_identical(hit[[column]], Inf)
+    expect_true(all(is.finite(unlist(hit[grep("^v|omega|impulse", names(hit))]))))
+  }
+  beyond(ball_bounce(ball, 0, -1e200, restitution = 0.5), "normal_loss_j")
+  beyond(hinged_hit(body_rod(1, 1), 0.5, 1, 1, 1e200), "normal_loss_j")
+  beyond(disks_lock(1, 1, 1e200, 0), "friction_loss_j")
+  beyond(rims_meet(1, 1, 1e200, 0, radius_1_m = 1, radius_2_m = 1), "friction_loss_j")
+  beyond(
+    collide(ball, velocity_1_m_per_s = c(0, 0, -1e200), normal = c(0, 0, 1), restitution = 0.5),
+    "normal_loss_j"
+  )
+  expect_no_warning(ball_bounce(ball, 0, -1e150, restitution = 0.5))
+})
