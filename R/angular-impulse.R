@@ -51,10 +51,7 @@ angular_impulse <- function(torque, from_s = -Inf, to_s = Inf, ..., body = NULL,
   check_supplied("torque", call)
   check_no_dots(...)
   law <- if (is.data.frame(torque)) {
-    for (column in c("torque_n_m", "time_s")) {
-      if (is.null(torque[[column]])) abort_missing_column(column, torque, call)
-    }
-    torque_knots(torque[["time_s"]], torque[["torque_n_m"]])
+    in_call(torque_knots(torque), call)
   } else {
     as_torque(torque, call)
   }
@@ -209,7 +206,13 @@ term_impulse <- function(term, from, to) {
 # By panels between the breaks, given or found.
 law_impulse <- function(law, from, to, call) {
   if (!(to > from)) return(c(0, 0))
-  if (!is.finite(to - from)) return(c(NaN, NaN))
+  if (!is.finite(to - from)) {
+    abort_rotdyn(c(
+      "The angular impulse of an R function needs a finite span.",
+      x = "The span is from {format(from)} to {format(to)} s.",
+      i = "Give {.arg from_s} and {.arg to_s}."
+    ), "torque", call)
+  }
   reader <- law_reader(law, list(theta0_rad = 0, omega0_rad_per_s = 0), call)
   stops <- law_breaks(law, reader$at, from, to, call)$stops
   edges <- unique(c(from, stops[stops > from & stops < to], to))

@@ -57,6 +57,14 @@ warn_rotdyn <- function(message, kind, call, ..., .envir = parent.frame()) {
   )
 }
 
+# The package's errors in `expr` name the user's call.
+in_call <- function(expr, call) {
+  tryCatch(expr, rotdyn_error = function(e) {
+    e$call <- rlang::error_call(call)
+    rlang::cnd_signal(e)
+  })
+}
+
 # Says which results are beyond double precision though the numbers of their row are finite.
 # `values` and `given`: named columns, recycled to n rows.
 warn_beyond <- function(values, given, n, call) {

@@ -168,10 +168,7 @@ as_record <- function(x, call) {
       x = "It is {describe_value(x)}.", i = "{.fn motion_record} makes records."
     ), "type", call)
   }
-  rlang::try_fetch(motion_record(x), rotdyn_error = function(e) {
-    e$call <- rlang::error_call(call)
-    rlang::cnd_signal(e)
-  })
+  in_call(motion_record(x), call)
 }
 
 check_word <- function(x, arg, choices, call) {

@@ -87,7 +87,7 @@ NULL
 inertia_torsion <- function(swing, stiffness_n_m_per_rad, ..., decay_per_s = 0) {
   call <- check_no_dots(...)
   check_supplied(c("swing", "stiffness_n_m_per_rad"), call)
-  motion <- swing_inputs(swing, "spring", 0, decay_per_s, call)
+  motion <- in_call(swing_inputs(swing, "spring", 0, decay_per_s, call), call)
   inputs <- list(
     stiffness_n_m_per_rad = as_measured(
       stiffness_n_m_per_rad, "stiffness_n_m_per_rad", "N*m", call, 0, open = TRUE
@@ -104,7 +104,7 @@ inertia_compound_pendulum <- function(swing, mass_kg, distance_m, ..., amplitude
                                       gravity_m_per_s2 = 9.80665, decay_per_s = 0) {
   call <- check_no_dots(...)
   check_supplied(c("swing", "mass_kg", "distance_m"), call)
-  motion <- swing_inputs(swing, "gravity", amplitude_rad, decay_per_s, call)
+  motion <- in_call(swing_inputs(swing, "gravity", amplitude_rad, decay_per_s, call), call)
   inputs <- list(
     mass_kg = as_measured(mass_kg, "mass_kg", "kg", call, 0, open = TRUE),
     distance_m = as_measured(distance_m, "distance_m", "m", call, 0, open = TRUE),
@@ -172,7 +172,7 @@ filar_inertia <- function(swing, mass_kg, length_m, height_m, upper, lower, ampl
       i = "The length of the wires is longer than the height where the radii differ."
     ), if (is.null(length_m)) "missing" else "argument", call)
   }
-  motion <- swing_inputs(swing, "filar", amplitude_rad, decay_per_s, call)
+  motion <- in_call(swing_inputs(swing, "filar", amplitude_rad, decay_per_s, call), call)
   arg <- if (is.null(length_m)) "height_m" else "length_m"
   wire <- as_measured(length_m %||% height_m, arg, "m", call, 0, open = TRUE)
   inputs <- list(

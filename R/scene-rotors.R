@@ -134,9 +134,13 @@ check_inertias <- function(bodies, arg, call) {
   if (!length(inertia)) abort_rotdyn("{.arg {arg}} is empty.", "size", call)
   bad <- which(!(is.finite(inertia) & inertia > 0))
   if (length(bad)) {
+    body <- if (length(inertia) == 1L) arg else paste0(arg, "[[", bad[1], "]]")
     abort_rotdyn(c(
-      "Every body must have a moment of inertia about the axle, finite and greater than 0.",
-      x = "That of body {bad[1]} in {.arg {arg}} is {format(inertia[bad[1]])} kg m^2."
+      "{.arg {body}} must have a moment of inertia about the axle, finite and greater than 0.",
+      x = "It is {format(inertia[bad[1]])} kg m^2.",
+      i = if (inertia[bad[1]] %in% 0 && !is.numeric(bodies)) {
+        "All its mass is on the axle: give it a radius, or a place by {.fn place_body}."
+      }
     ), "value", call)
   }
   inertia

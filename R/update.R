@@ -108,8 +108,5 @@ changed_object <- function(object, name, arguments, changes, call) {
     if (any(names(changes) %in% amounts)) arguments[amounts] <- NULL
   }
   arguments[names(changes)] <- changes
-  tryCatch(make(arguments), rotdyn_error = function(e) {
-    e$call <- rlang::error_call(call)
-    rlang::cnd_signal(e)
-  })
+  in_call(make(arguments), call)
 }

@@ -133,3 +133,17 @@ test_that("the error of a constant torque is its rounding, and no more", {
     expect_lt(x$angular_impulse_error_n_m_s, 5 * .Machine$double.eps * 12.5)
   }
 })
+
+test_that("errors name the call, and what a function lacks is a finite span", {
+  called <- function(expr) rlang::call_name(rlang::catch_cnd(expr, "rotdyn_error")$call)
+  for (table in list(
+    data.frame(time_s = 0:1, torque_n_m = "a"), data.frame(time_s = 1:0, torque_n_m = 1),
+    data.frame(time_s = 0:1)
+  )) {
+    expect_identical(called(angular_impulse(table)), "angular_impulse")
+  }
+  expect_error(
+    angular_impulse(function(time_s) exp(-time_s^2), -Inf, Inf), "R function needs a finite span",
+    class = "rotdyn_error_torque"
+  )
+})

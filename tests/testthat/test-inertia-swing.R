@@ -168,3 +168,14 @@ test_that("numbers typed in have the names of their arguments, and a print fits 
   expect_true("T" %in% named$contributions$input)
   expect_lte(max(nchar(capture.output(print(i)))), 80)
 })
+
+test_that("numbers beyond double precision name the function called", {
+  for (call in expression(
+    inertia_torsion(1e-200, 2), inertia_compound_pendulum(1e-200, 1, 1),
+    inertia_bifilar(1e-200, 1, 1, 1, 1)
+  )) {
+    error <- rlang::catch_cnd(eval(call), "rotdyn_error")
+    expect_s3_class(error, "rotdyn_error_value")
+    expect_identical(rlang::call_name(error$call), rlang::call_name(call))
+  }
+})

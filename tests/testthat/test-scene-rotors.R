@@ -52,3 +52,17 @@ test_that("the print has each torque in its place", {
   expect_match(shown, "torque     0, 1, 0 N m", fixed = TRUE, all = FALSE)
   expect_match(shown, "stiffness  100 N m/rad", fixed = TRUE, all = FALSE)
 })
+
+test_that("a body with its mass on the axle is named, with a remedy", {
+  wheels <- list(body_disk(1, 1), body_disk(1, 0))
+  expect_error(
+    scene_rotors(wheels, 2), "(?s)bodies\\[\\[2\\]\\]` must have.*give it a radius",
+    perl = TRUE, class = "rotdyn_error_value"
+  )
+  expect_error(
+    scene_rotors(c(1, 0), 2), "bodies\\[\\[2\\]\\]` must have", class = "rotdyn_error_value"
+  )
+  expect_error(
+    angular_impulse(1, 0, 1, body = body_point(1)), "`body` must have", class = "rotdyn_error_value"
+  )
+})
