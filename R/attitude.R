@@ -144,6 +144,7 @@ attitude_slerp <- function(from, to, fraction, ...) {
   call <- check_no_dots(...)
   check_supplied(c("from", "to", "fraction"), call)
   fraction <- check_column(fraction, "fraction", "1", call)
+  check_no_infinite(list(fraction), "fraction", call)
   pair_of_attitudes(2, list(from = from, to = to), list(fraction = fraction), call)
 }
 
@@ -168,6 +169,7 @@ attitude_turn <- function(attitude, vector, axes = c("space", "body"), ...) {
     names(vector) <- c("x", "y", "z")
   }
   v <- named_columns(vector, c("x", "y", "z"), "vector", call)
+  check_no_infinite(v, "vector", call)
   check_recyclable(c(q[1], v[1]), call)
   out <- .Call(ffi_attitude_turn, unname(c(q, v)), as.double(axes == "space"))
   new_table(out, nrow = length(out[[1]]))
@@ -242,13 +244,18 @@ named_columns <- function(data, wanted, arg, call) {
   unname(columns)
 }
 
-# Unit quaternions, list(qw, qx, qy, qz), of columns of a form.
-read_attitude <- function(form, columns, code, arg, call) {
+# NA is allowed.
+check_no_infinite <- function(columns, arg, call) {
   infinite <- vapply(columns, function(x) match(TRUE, is.infinite(x)), 1L)
   if (!all(is.na(infinite))) {
     row <- min(infinite, na.rm = TRUE)
     abort_rotdyn("{.arg {arg}} must be finite: row {row} is not.", "value", call)
   }
+}
+
+# Unit quaternions, list(qw, qx, qy, qz), of columns of a form.
+read_attitude <- function(form, columns, code, arg, call) {
+  check_no_infinite(columns, arg, call)
   q <- .Call(ffi_attitude_from, match(form, names(attitude_forms)) - 1, unname(columns), code)
   off <- q$off
   q$off <- NULL

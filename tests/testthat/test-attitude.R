@@ -156,3 +156,17 @@ test_that("an axis of length 0 is refused", {
     class = "rotdyn_error_value"
   )
 })
+
+test_that("infinite fractions and vectors are refused with their row, large ones turn", {
+  q <- c(qw = 0.6, qx = 0.8, qy = 0, qz = 0)
+  refused <- function(expr) expect_error(expr, "row 2", class = "rotdyn_error_value")
+  refused(attitude_slerp(q, q, c(0, Inf)))
+  refused(attitude_turn(q, data.frame(x = 1:2, y = c(0, -Inf), z = 1)))
+  expect_error(attitude_turn(q, c(1, Inf, 2)), class = "rotdyn_error_value")
+  expect_identical(attitude_slerp(q, q, c(0.5, NA))$qw, c(0.6, NA))
+  # By 2 acos(0.6) about x: the cosine of the angle is 2 * 0.36 - 1, the sine 2 * 0.6 * 0.8.
+  expect_equal(attitude_turn(q, c(0, 1e200, 0))$y, -0.28e200, tolerance = 1e-15)
+  expect_equal(attitude_turn(q, c(0, 1e200, 0))$z, 0.96e200, tolerance = 1e-15)
+  huge <- attitude_from(c(1e200, 0, 0, 2 * acos(0.6)), "axis_angle")
+  expect_equal(unlist(huge), q, tolerance = 1e-15)
+})
