@@ -31,18 +31,6 @@ own_software <- function() {
   registry_texts$software
 }
 
-# The columns of a motion that its constraint computes; others are the user's own.
-computed_columns <- function(motion, run) {
-  constraint <- constraint_of(run$scene)
-  known <- c(
-    constraint$columns, constraint$keys, constraint$index,
-    if (!is.null(constraint$more_names)) constraint$more_names(run$scene), more_computed
-  )
-  intersect(names(motion), known)
-}
-
-more_computed <- c("event", "moment_of_inertia_kg_m2", "potential_energy_j", "inclination_rad")
-
 # The hash of columns, by name, type and bits; the same on machines of either byte order.
 hash_columns <- function(motion, columns) {
   values <- unclass(motion)[sort(columns, method = "radix")]
@@ -294,11 +282,13 @@ add_checked <- function(db, rows, call) {
   })
 }
 
-# Of all balances that can be drawn.
+# Of all balances that can be drawn, from the first row to the last: they do not see an edited row
+# between.
 verdict_of_motion <- function(motion, run, call) {
   verdict <- vapply(balances_of(motion, run, call), `[[`, "", "verdict")
   if ("unbalanced" %in% verdict) return("unbalanced")
-  if (length(verdict) && all(verdict %in% "balanced")) "balanced" else "not audited"
+  edited <- is.na(run$info$error)
+  if (length(verdict) && all(verdict %in% "balanced") && !edited) "balanced" else "not audited"
 }
 
 # By measure: its largest value and its error.

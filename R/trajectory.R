@@ -421,11 +421,31 @@ reconstruct_trajectory <- function(data, template) {
   if (!identical(now, before)) {
     run["ledger"] <- list(NULL)
     if (!rows_of_run(now, before, constraint$index)) run$info$error <- NA_real_
+  } else if (!has_values_of_run(data, template, run)) {
+    run$info$error <- NA_real_
   }
   attr(data, "run") <- run
   class(data) <- c("rot_trajectory", tibble_class)
   data
 }
+
+# Of the columns that the model computes and that are still there.
+has_values_of_run <- function(data, template, run) {
+  columns <- intersect(computed_columns(template, run), names(data))
+  identical(unclass(data)[columns], unclass(template)[columns])
+}
+
+# The columns of a motion that its constraint computes; others are the user's own.
+computed_columns <- function(motion, run) {
+  constraint <- constraint_of(run$scene)
+  known <- c(
+    constraint$columns, constraint$keys, constraint$index,
+    if (!is.null(constraint$more_names)) constraint$more_names(run$scene), more_computed
+  )
+  intersect(names(motion), known)
+}
+
+more_computed <- c("event", "moment_of_inertia_kg_m2", "potential_energy_j", "inclination_rad")
 
 # Whether all rows are rows of the run, matched by the bits of time and by index.
 rows_of_run <- function(now, before, index) {
@@ -536,8 +556,8 @@ describe_error <- function(run) {
 #' One row about a trajectory
 #'
 #' On an axle the maxima are those of the motion from the first row to the last, between the rows,
-#' too: the model runs again where it turns. Of edited rows, of several bodies, of spans of more than
-#' 10000 cycles, and where this run fails, they are over the rows as they are.
+#' too: the model runs again where it turns. Of edited rows, of several bodies, of more than 10000
+#' cycles, and where this run fails, they are over the rows as they are.
 #'
 #' @param object,x A `rot_trajectory`.
 #' @param ... Not used.

@@ -730,3 +730,21 @@ test_that("energies may differ by four times what the state may, and by four rou
   run$info$error <- 0
   expect_within(allowed(), 4 * eps * size, 1e-12)
 })
+
+test_that("a motion with an edited row is not recorded as balanced", {
+  for (need in c("yyjsonr", "DBI", "RSQLite")) skip_if_not_installed(need)
+  lab <- tempfile(fileext = ".sqlite")
+  on.exit(unlink(lab))
+  records_create(lab)
+  motion <- edited <- trajectory(scene_axle(1, torque_sinusoid(1, 2)), 0:10 / 2)
+  edited$omega_rad_per_s[3] <- 7
+  last <- own <- motion
+  own$note <- 1
+  last[nrow(last), "omega_rad_per_s"] <- 7
+  for (x in list(motion, motion[3:6, ], own, edited, last)) {
+    records_add(lab, x)
+  }
+  expect_identical(
+    records_list(lab)$verdict, rep(c("balanced", "not audited", "unbalanced"), c(3, 1, 1))
+  )
+})

@@ -27,6 +27,38 @@ test_that("the maxima are over the rows, with their sign", {
   expect_true(is.na(summary(down[0, ])$final_theta_rad))
 })
 
+test_that("values that were edited are not those of the run", {
+  motion <- trajectory(scene_axle(1, torque_sinusoid(1, 2)), 0:10 / 2)
+  expect_equal(summary(motion)$max_angular_velocity_rad_per_s, 0.5, tolerance = 1e-14)
+  edits <- list(
+    within_column = function(x) {
+      x$omega_rad_per_s[3] <- 7
+      x
+    },
+    cell = function(x) {
+      x[3, "omega_rad_per_s"] <- 7
+      x
+    },
+    column = function(x) {
+      x[["omega_rad_per_s"]] <- 0.7 * x$time_s * (x$time_s == 10) + 7
+      x
+    }
+  )
+  for (edit in edits) {
+    edited <- edit(motion)
+    expect_output(print(edited), "the values are not those of the run")
+    expect_identical(summary(edited)$max_angular_velocity_rad_per_s, 7)
+    expect_identical(summary(edited)$error, NA_real_)
+  }
+  # Columns of one's own, or fewer, are no edit.
+  more <- motion
+  more$note <- 1
+  fewer <- more[setdiff(names(motion), "rotational_kinetic_energy_j")]
+  for (same in list(more, fewer, more[3:5, ])) {
+    expect_identical(summary(same)$error, summary(motion)$error)
+  }
+})
+
 test_that("maxima of the rows alone, where the model does not run again, come with a warning", {
   on <- TRUE
   law <- function(time_s, theta_rad, omega_rad_per_s) if (on) cos(time_s) else NaN
