@@ -50,7 +50,8 @@ record_arguments <- list(
 #' there is one: a counter, an encoder, or few digits in a file.
 #'
 #' @param data A data frame with a row for each sample.
-#' @param time_s Times in s: a column of `data`. Date-times become seconds since the first.
+#' @param time_s Times in s: a column of `data`. Date-times become seconds since the first; so do
+#'   stamps in another unit, in ms since 1970 for instance, where seconds would round their spacing.
 #' @param theta_rad,theta_deg,theta_turns,counts Angle in rad, degrees, turns, or counts of an
 #'   encoder with `counts_per_turn`.
 #' @param omega_rad_per_s,omega_deg_per_s,omega_rpm Angular velocity in rad/s, degrees/s or rpm: one
@@ -245,6 +246,10 @@ as_record_column <- function(value, heading, arg, n, call) {
     }
     factor <- heads$factor
     said <- heads$unit
+    if (arg == "time_s" && is_rounded_by(value, factor)) {
+      value <- value - value[is.finite(value)][1]
+      said <- paste(said, "since the first")
+    }
   } else if (is.null(unit) && !is.na(heads$factor) && nzchar(heads$name) &&
     !heads$kind %in% c(role[[4]], "other") && role[[4]] != "count") {
     abort_rotdyn(c(
@@ -256,6 +261,12 @@ as_record_column <- function(value, heading, arg, n, call) {
     value = if (is.na(factor)) value else value * factor, heading = heading, arg = arg,
     unit = unit %||% said %||% role[[2]], said = said
   )
+}
+
+# Whether times, as stamps since 1970 are, lose a millionth of their spacing by another unit.
+is_rounded_by <- function(times, factor) {
+  times <- times[is.finite(times)] * factor
+  .Machine$double.eps * max(abs(times), 0) > 1e-6 * stats::median(abs(diff(times)))
 }
 
 # Columns by their headings, for a table without arguments.
@@ -680,8 +691,8 @@ unwrap_record <- function(columns, segment, call) {
   }
   list(theta = theta, assumed = c(if (turned) said, if (unknown) {
     paste(
-      "in", unknown, "gaps the angle changes by more than half a turn: its turns there are",
-      "undetermined, none are added"
+      "in", unknown, ngettext(unknown, "gap", "gaps"), "the angle changes by more than half a",
+      "turn: its turns there are undetermined, none are added"
     )
   }))
 }
@@ -804,14 +815,22 @@ unwrap_angle <- function(time, theta, segment, omega, call,
     theta[run$rows] <- x
   }
   list(theta = theta, doubt = c(
-    if (by_rate) paste("turns in", by_rate, "gaps of the angle are those of the measured rate"),
+    if (by_rate) {
+      paste(
+        "turns in", by_rate, ngettext(by_rate, "gap", "gaps"), "of the angle are those of the",
+        "measured rate"
+      )
+    },
     if (by_angle) {
-      paste("turns in", by_angle, "gaps of the angle are those of its rate before and after them")
+      paste(
+        "turns in", by_angle, ngettext(by_angle, "gap", "gaps"), "of the angle are those of its",
+        "rate before and after", ngettext(by_angle, "it", "them")
+      )
     },
     if (doubtful) {
       paste(
-        "in", doubtful, "steps the angle is more than a quarter turn from the predicted one: turns",
-        "may be miscounted"
+        "in", doubtful, ngettext(doubtful, "step", "steps"), "the angle is more than a quarter",
+        "turn from the predicted one: turns may be miscounted"
       )
     }
   ))

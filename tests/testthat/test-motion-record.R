@@ -393,7 +393,7 @@ test_that("a wrap in a gap of the angle is found by the measured rate", {
     data.frame(time_s = t, theta_rad = hidden(a, 30:80), omega_rad_per_s = 2 + t)
   )
   expect_equal(x$theta_rad, replace(a, 30:80, NA))
-  expect_match(info_of(x)$assumed, "turns in 1 gaps .* measured rate", all = FALSE)
+  expect_match(info_of(x)$assumed, "turns in 1 gap of .* measured rate", all = FALSE)
   # A rate that is missing in the gap, too, is not interpolated: the swing has no wrap.
   a <- 1 + 0.9 * sin(2 * pi * t / 2)
   d <- data.frame(time_s = t, theta_rad = a, omega_rad_per_s = 0.9 * pi * cos(pi * t), x_m = 0)
@@ -425,7 +425,7 @@ test_that("without a rate the angle's own rate before and after a gap decides, o
     x <- record((sign * 4 * t) %% (2 * pi), 50:69)
     got <- x$theta_rad - x$theta_rad[1]
     expect_equal(got, replace(sign * 4 * t, 50:69, NA))
-    expect_match(info_of(x)$assumed, "turns in 1 gaps .* before and after", all = FALSE)
+    expect_match(info_of(x)$assumed, "turns in 1 gap of .* before and after it", all = FALSE)
   }
   # Two different rates: nothing is added, and it is said.
   a <- ifelse(t < 2, t, 6.2 - (6 - t) / 10)
@@ -442,4 +442,19 @@ test_that("without a rate the angle's own rate before and after a gap decides, o
       }
     }
   }
+})
+
+test_that("stamps in ms since 1970 keep their digits: seconds are counted from the first", {
+  stamps <- 1.6e12 + cumsum(c(0, 7, 8, 7, 9, 10))
+  for (a in list(stamps, c(NA, stamps))) {
+    data <- data.frame(a = a, theta = seq_along(a))
+    names(data)[1] <- "t (ms)"
+    record <- motion_record(data, time_s = "t (ms)", theta_rad = theta)
+    expect_equal(record$time_s, c(0, 7, 15, 22, 31, 41) / 1000, tolerance = 1e-15)
+    expect_output(print(record), "(ms since the first)", fixed = TRUE)
+  }
+  # Stamps that seconds do not round, and seconds themselves, stay.
+  data[[1]] <- c(NA, 1e6 + 0:5)
+  expect_equal(motion_record(data, time_s = "t (ms)", theta_rad = theta)$time_s, 1000 + 0:5 / 1000)
+  expect_equal(motion_record(data.frame(t = 1.6e9 + 0:5, b = 1:6), t, b)$time_s, 1.6e9 + 0:5)
 })
