@@ -75,6 +75,7 @@ asymmetry_allowed <- 1e-12
 #' decimal point of one moment one or two places, and repairs the tensors that are not physical.
 #' `r repair_figures`
 #' @section Errors: `rotdyn_error_type` for other types, and for missing columns;
+#'   `rotdyn_error_argument` for a column that nearly has the name of one which is not given;
 #'   `rotdyn_error_size` for other numbers of entries; `rotdyn_error_value` for numbers without
 #'   names, and sizes that are not greater than 0; `rotdyn_error_unit` for units objects of another
 #'   dimension. NA, NaN and Inf in a tensor, and a mass of NaN or Inf, are no errors: the check
@@ -200,6 +201,7 @@ tensor_from_vector <- function(x, names, sign, call) {
 
 tensors_from_columns <- function(x, sign, call) {
   names(x) <- plain_entry_names(names(x))
+  check_near_columns(x, c(inertia_entries, "mass_kg", "size_m"), names(x), NULL, call)
   has <- inertia_entries %in% names(x)
   lacking <- if (any(has[4:6])) inertia_entries[!has] else inertia_entries[1:3][!has[1:3]]
   if (length(lacking)) {

@@ -621,6 +621,9 @@ cli_run_record <- function(words, options, state) {
 cli_run_runs <- function(words, options, state) {
   db <- cli_database(words[1], state)
   if (isTRUE(options$check)) {
+    if (length(words) > 1L || isTRUE(options$scene)) {
+      abort_usage("`--check` is of the whole database: without a run", verb = "runs")
+    }
     found <- records_check(db)
     return(list(table = found, answer = all(found$holds)))
   }

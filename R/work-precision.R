@@ -181,10 +181,7 @@ asked_of <- function(one) {
 }
 
 check_known_models <- function(models, scene, time_s, call) {
-  known <- tryCatch(choose_model(scene, time_s, 1), rotdyn_error = function(e) {
-    e$call <- rlang::error_call(call)
-    rlang::cnd_signal(e)
-  })$model
+  known <- in_call(choose_model(scene, time_s, 1), call)$model
   if (!is.null(models) && !(is.character(models) && all(models %in% known))) {
     abort_rotdyn(c(
       "{.arg models} must be NULL or some of {.val {known}}.",
@@ -546,7 +543,9 @@ new_work_precision <- function(rows, constraint, scene, time_s, min_batch_s, bat
 }
 
 describe_references <- function(x) {
-  each <- unique(data.frame(name = x[["reference"]], error = x[["reference_error"]]))
+  each <- unique(data.frame(
+    name = x[["reference"]], error = x[["reference_error"]] %||% NA_real_, row.names = NULL
+  ))
   toString(paste0(
     each$name, ifelse(is.na(each$error), "", paste(", error", format(each$error, digits = 2)))
   ))
@@ -559,7 +558,7 @@ tbl_sum.rot_work_precision <- function(x, ...) {
   if (is.null(how)) return(size)
   c(
     size,
-    "Reference" = describe_references(x),
+    if (!is.null(x[["reference"]])) c("Reference" = describe_references(x)),
     "Cost" = paste0(
       "processor time of ", format(how$rows, big.mark = ","), " rows, ", how$batches,
       " batches of ", format(1000 * how$min_batch_s), " ms, ",

@@ -224,6 +224,20 @@ test_that("a check prints what fails and what to look at", {
   })
 })
 
+test_that("a column that nearly has the name of an optional one is refused, not ignored", {
+  link <- data.frame(ixx = 1, iyy = 2, izz = 2.5)
+  near <- function(...) {
+    expect_error(check_inertia(cbind(link, ...)), "Did you mean", class = "rotdyn_error_argument")
+  }
+  near(mass = 3)
+  near(mas_kg = 3)
+  near(size_mm = 200)
+  near(ixy_kgm2 = 0.1)
+  expect_no_error(check_inertia(cbind(link, mass_kg = 3, size_m = 1, link = 4)))
+  all_nine <- cbind(link, ixy = 0, ixz = 0, iyz = 0, iyx = 0, izx = 0, izy = 0)
+  expect_no_error(check_inertia(all_nine))
+})
+
 test_that("rows of what was not checked are printed", {
   x <- check_inertia(data.frame(ixx = c(1, NA), iyy = 2, izz = 2.5))
   expect_output(print(x[x$value > 0, ]), "physical")

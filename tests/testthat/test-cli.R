@@ -126,6 +126,11 @@ test_that("runs are recorded, listed and computed again", {
     expect_identical(again$status, 0L)
     expect_identical(utils::read.csv(text = again$out)$verdict, rep("identical", 4L))
     expect_identical(cli("runs", "lab.sqlite", "--check")$status, 0L)
+    for (more in c(runs$run[1], "--scene")) {
+      ignored <- cli("runs", "lab.sqlite", more, "--check")
+      expect_identical(ignored$status, 2L)
+      expect_match(ignored$err[1], "whole database")
+    }
     # A value that somebody changed, and the hash: no longer within the errors.
     con <- DBI::dbConnect(RSQLite::SQLite(), "lab.sqlite")
     DBI::dbExecute(con, paste0(

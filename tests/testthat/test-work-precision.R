@@ -255,6 +255,8 @@ test_that("the header says what was measured, and stays with the rows", {
   expect_match(header[["Reference"]], "axle_linear, error")
   expect_match(header[["Cost"]], "9 rows, 2 batches of 0.1 ms, torque in C")
   expect_match(tibble::tbl_sum(measured[nrow(measured), ])[["Reference"]], "axle_linear")
+  expect_false("Reference" %in% names(tibble::tbl_sum(measured[c("model", "cost_s")])))
+  expect_match(tibble::tbl_sum(measured["reference"])[["Reference"]], "axle_linear")
   expect_match(
     tibble::tbl_sum(measure(pendulum(), 0:1, accuracies = 1e-3))[["Cost"]], "an R function"
   )
