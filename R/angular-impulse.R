@@ -170,15 +170,7 @@ term_impulse <- function(term, from, to) {
   width <- to - from
   eps <- .Machine$double.eps
   switch(term$kind,
-    sinusoid = {
-      if (!is.finite(width)) return(c(NaN, NaN))
-      half <- x[2] * width / 2
-      middle <- x[2] * (from + width / 2) + x[3]
-      size <- x[1] * width * if (half == 0) 1 else sin(half) / half
-      # The phase and the half width are rounded: times their slopes.
-      c(size * cos(middle), 4 * eps * abs(size) +
-        eps * abs(x[1]) * width * (abs(x[2]) * (abs(from) + width) + abs(x[3])))
-    },
+    sinusoid = if (is.finite(width)) .Call(ffi_sinusoid_impulse, x, from, to) else c(NaN, NaN),
     exponential = {
       z <- x[2] * width
       start <- x[1] * exp(-x[2] * (from - x[3]))

@@ -2,6 +2,7 @@
 
 #include <string.h>
 
+#include "engine/term.h"
 #include "engine/torque.h"
 
 ffi_torque ffi_torque_new(SEXP law, const rot_input *input, ffi_guard *guard) {
@@ -103,5 +104,15 @@ SEXP ffi_torque_values(SEXP law, SEXP time_s, SEXP state) {
     REAL(out)[i] = f.value[0];
   }
   UNPROTECT(2);
+  return out;
+}
+
+/* (x of the term, from, to) => c(integral, bound of its error) */
+SEXP ffi_sinusoid_impulse(SEXP x, SEXP from, SEXP to) {
+  SEXP out = PROTECT(Rf_allocVector(REALSXP, 2));
+  REAL(out)
+  [0] = rot_sinusoid_impulse(ffi_reals(x, "x", 3), ffi_real(from, "from"), ffi_real(to, "to"),
+                             REAL(out) + 1);
+  UNPROTECT(1);
   return out;
 }

@@ -147,3 +147,22 @@ test_that("errors name the call, and what a function lacks is a finite span", {
     class = "rotdyn_error_torque"
   )
 })
+
+test_that("the error of a sinusoid's impulse is a few roundings of it, at any time", {
+  # mpmath, 80 digits, as the sum of two doubles.
+  known <- rbind(
+    c(3.0, 20.0, 0.4, 0.1, 0.35, 0.03348673728907136, 2.2313597584511404e-18),
+    c(2.0, 3.0, 0.5, 0.0, 100000000.0, -0.28969368488201047, -2.6283315321191995e-18),
+    c(2.0, 3.0, 0.5, -100000000.0, 100000000.0, -0.5143242868826713, 2.1373360096925267e-17),
+    c(5.0, 7.0, -1.0, 12345.678, 1000000.0, 0.38372128995861565, -2.5984335534156764e-17),
+    c(0.7, -2.0, 1.0, -3.0, 1000000000000000.0, 0.20274152164308845, 3.896716910706852e-18)
+  )
+  for (i in seq_len(nrow(known))) {
+    x <- known[i, ]
+    got <- angular_impulse(torque_sinusoid(x[1], x[2], x[3]), x[4], x[5])
+    error <- got$angular_impulse_error_n_m_s
+    expect_lte(abs((got$angular_impulse_n_m_s - x[6]) - x[7]), error)
+    phases <- 2^-98 * abs(x[1] / x[2]) * (abs(x[2]) * max(abs(x[4:5])) + abs(x[3]) + 1)
+    expect_lte(error, 16 * 2^-53 * abs(x[6]) + phases)
+  }
+})

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "ground/dd_trig.h"
 #include "maths/divided.h"
 #include "ground/real.h"
 #include "ground/search.h"
@@ -13,6 +14,33 @@ static double wave(double a, double t, double b) {
   const double at = rot_two_prod(a, t, &lo), angle = rot_two_sum(at, b, &sum_lo);
   rot_sin_cos(angle, lo + sum_lo, &sine, &cosine);
   return cosine;
+}
+
+/* x[0] times the width, sin(half)/half and cos(middle): half of the change and the mean of the phase
+ * carry twice the precision, each with an error of less than 2^-100 of its terms. */
+double rot_sinusoid_impulse(const double x[3], double from, double to, double *error) {
+  const rot_dd width = rot_dd_sub((rot_dd){to, 0.0}, (rot_dd){from, 0.0});
+  const rot_dd half = rot_dd_mul1(width, 0.5 * x[1]);
+  const rot_dd mean = rot_dd_mul1(rot_dd_sum2(from, to), 0.5 * x[1]);
+  const rot_dd middle = rot_dd_add1(mean, x[2]);
+  const double turned = fabs(half.hi);
+  if (!(turned + fabs(mean.hi) + fabs(x[2]) < 0x1p52)) {
+    *error = (1.0 + 4.0 * ROT_EPS) * fabs(x[0]) * fmin(width.hi, 2.0 / fabs(x[1]));
+    return 0.0;
+  }
+  double ratio = width.hi; /* width sin(half)/half */
+  double phases = ratio;   /* what the errors of both phases are multiplied by */
+  rot_dd sine, cosine, other;
+  if (turned > 1e-9) {
+    rot_dd_sine_cosine(half, &sine, &other);
+    ratio *= sine.hi / half.hi;
+    if (turned > 1.0) phases /= turned;
+  }
+  rot_dd_sine_cosine(middle, &other, &cosine);
+  const double value = x[0] * ratio * cosine.hi;
+  *error = 9.0 * ROT_EPS * fabs(value) +
+           0x1p-100 * fabs(x[0]) * phases * (turned + fabs(mean.hi) + fabs(x[2]) + 1.0);
+  return value;
 }
 
 static double in_pieces(const rot_term *term, double t) {

@@ -122,10 +122,45 @@ static void test_breaks(void) {
   ROT_CHECK_EQ_INT((int)rot_term_breaks(&t, out), 2);
 }
 
+/* The integral against mpmath, 80 digits, as the sum of two doubles: the bound covers, and is ten
+ * roundings of the integral at most, and what twice the precision leaves of the phases. */
+static void test_impulse(void) {
+  static const struct {
+    double x[5], value, rest;
+  } known[] = {
+      {{3.0, 20.0, 0.4, 0.1, 0.35}, 0.03348673728907136, 2.2313597584511404e-18},
+      {{2.0, 3.0, 0.5, 0.0, 100000000.0}, -0.28969368488201047, -2.6283315321191995e-18},
+      {{2.0, 3.0, 0.5, -100000000.0, 100000000.0}, -0.5143242868826713, 2.1373360096925267e-17},
+      {{1.0, 0.1, 0.0, 1000000000.0, 1000000001.0}, -0.40932290135097077, -1.7788797293556442e-18},
+      {{5.0, 7.0, -1.0, 12345.678, 1000000.0}, 0.38372128995861565, -2.5984335534156764e-17},
+      {{1.0, 1e-12, 0.3, 0.0, 10.0}, 9.553364891241284, 5.893021179118266e-16},
+      {{4.0, 100000.0, 2.0, 1.0, 10000000000.0}, 3.9911882742160235e-06, 2.01870603456982e-22},
+      {{0.7, -2.0, 1.0, -3.0, 1000000000000000.0}, 0.20274152164308845, 3.896716910706852e-18},
+      {{1.0, 0.0, 0.25, 2.0, 7.0}, 4.844562108553224, -7.949507426735018e-17},
+      {{1.0, 2.0, 0.0, 0.0, 3.141592653589793}, -1.2246467991473532e-16, 2.9947698097183407e-33},
+      {{1.0, 20.0, 0.0, 100000000.0, 100000000.00000095},
+       3.853808727308981e-07,
+       9.64226563903313e-24}};
+  double error;
+  for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+    const double *x = known[i].x;
+    const double got = rot_sinusoid_impulse(x, x[3], x[4], &error);
+    ROT_CHECK(fabs((got - known[i].value) - known[i].rest) <= error);
+    const double rate = fabs(x[1]), end = fmax(fabs(x[3]), fabs(x[4]));
+    const double phases = 0x1p-98 * fmin(x[4] - x[3], 1.0 / rate) * (rate * end + fabs(x[2]) + 1.0);
+    ROT_CHECK(error <= 0x1p-53 * 10.0 * fabs(known[i].value) + fabs(x[0]) * phases);
+  }
+  /* Phases without digits: whatever the integral can be. */
+  const double x[] = {3.0, 2.0, 0.0};
+  ROT_CHECK(rot_sinusoid_impulse(x, 0.0, 1e17, &error) == 0.0 && error >= 3.0 && error < 3.1);
+  ROT_CHECK(rot_sinusoid_impulse(x, 1e17, 1e17, &error) == 0.0 && error == 0.0);
+}
+
 int main(void) {
   test_names();
   test_breaks();
   test_values();
+  test_impulse();
   test_pieces();
   test_curve();
   test_window();
