@@ -16,8 +16,8 @@ static double wave(double a, double t, double b) {
   return cosine;
 }
 
-/* x[0] times the width, sin(half)/half and cos(middle): half of the change and the mean of the phase
- * carry twice the precision, each with an error of less than 2^-100 of its terms. */
+/* x[0] times the width, sin(half)/half and cos(middle): half of the phase's change and its mean
+ * have twice the precision, each with an error of less than 2^-100 of its terms. */
 double rot_sinusoid_impulse(const double x[3], double from, double to, double *error) {
   const rot_dd width = rot_dd_sub((rot_dd){to, 0.0}, (rot_dd){from, 0.0});
   const rot_dd half = rot_dd_mul1(width, 0.5 * x[1]);

@@ -46,9 +46,9 @@ typedef struct rot_term {
 /* Torque of the term, N m; after the jump at a jump. The angle is theta + theta_lo. */
 double rot_term_at(const rot_term *term, double t, double theta, double theta_lo, double omega);
 
-/* x of a sinusoid => its integral over from <= to, N m s, and a bound of its error: nine roundings of
- * the integral, and 2^-100 of the phases. Phases beyond 2^52 rad: 0, and the largest value that the
- * integral may have. */
+/* x of a sinusoid => its integral over from <= to, N m s, and a bound of its error: nine roundings
+ * of the integral, and 2^-100 of the phases. Phases beyond 2^52 rad: 0, and the largest value that
+ * the integral may have. */
 double rot_sinusoid_impulse(const double x[3], double from, double to, double *error);
 
 /* Whether length and x make sense: nothing may be read outside x. */

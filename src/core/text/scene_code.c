@@ -133,8 +133,8 @@ static made code_of_numbers(const rot_json *numbers, int level, line_end end, ro
   return CODE;
 }
 
-/* A literal of up to 16 digits => does R's parser read x? It scales the digits in long doubles of 64
- * bits, with one rounding up to 10^27 and less than 33 beyond, and rounds again: it may read a
+/* A literal of up to 16 digits => does R's parser read x? It scales the digits in long doubles of
+ * 64 bits, with one rounding up to 10^27 and less than 33 beyond, and rounds again: it may read a
  * neighbour of x where the middle between the two is that close. */
 static int reads_alike(const char *literal, double x) {
   unsigned long long digits = 0;
@@ -151,7 +151,7 @@ static int reads_alike(const char *literal, double x) {
   for (int side = 0; side < 2; side++) {
     /* Moved by 6e-19 or 2e-17 in units of the first digit: more than 1 and 33 times 10 x 2^-64. */
     const char *tail = exact ? side ? "9994" : "0006" : side ? "8" : "2";
-    char moved[ROT_TEXT_SIZE];
+    char moved[2 * ROT_TEXT_SIZE];
     snprintf(moved, sizeof moved, "%llu%se%d", digits - (unsigned)side, tail,
              power - (int)strlen(tail));
     if (strtod(moved, NULL) != fabs(x)) return 0;
