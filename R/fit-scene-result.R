@@ -9,7 +9,7 @@ fit_dof <- function(found, about) {
   }))
   n <- vapply(seq_len(ncol(noise)), function(k) {
     tau <- noise[3L, k]
-    if (!(tau > 0) || noise[1L, k] < 2) return(noise[1L, k])
+    if (!(tau > 0)) return(noise[1L, k])
     slow <- (1 - noise[4L, k]) * 2 * tau
     share <- slow / (slow + noise[4L, k] * spans[k] / (noise[1L, k] - 1))
     1 / (share^2 * 2 * tau / spans[k] + (1 - share)^2 / noise[1L, k])

@@ -68,12 +68,13 @@ verdict_rows <- function(fit) {
 }
 
 # Sums of whitened residuals over windows of 4, 8, 16, ... samples that overlap by half: the largest
-# in standard deviations, and the chance of one as large (union bound).
+# in standard deviations, and the chance of one as large (union bound over windows and widths).
 scan_residuals <- function(e) {
   n <- length(e)
   total <- c(0, cumsum(e))
   best <- 0
   p <- 1
+  widths <- 0
   width <- 4L
   while (width <= n) {
     first <- seq(0, n - width, by = width %/% 2L)
@@ -84,9 +85,9 @@ scan_residuals <- function(e) {
       best <- z
     }
     width <- 2L * width
+    widths <- widths + 1
   }
-  # Several widths were tried.
-  list(statistic = best, p = min(1, p * max(floor(log2(max(n, 4) / 4)), 1)))
+  list(statistic = best, p = min(1, p * max(widths, 1)))
 }
 
 # Where residuals are largest over a tenth of the record.

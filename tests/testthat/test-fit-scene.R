@@ -368,6 +368,19 @@ test_that("what a constructor made of others follows when those vary", {
   expect_equal(both$value, c(3, 10), tolerance = 1e-9)
 })
 
+test_that("a drift of residuals is judged against all windows of all widths", {
+  # 8 of 64 samples by 2 of their deviations: a sum of 16, of sqrt(8) at random. Widths 4 to 64,
+  # and 15 windows of 8.
+  e <- rep(c(0, 2, 0), c(16, 8, 40))
+  found <- scan_residuals(e)
+  expect_equal(found$statistic, 16 / sqrt(8))
+  expect_equal(found$p, 5 * 2 * 15 * stats::pnorm(-16 / sqrt(8)))
+  # One width alone, and none.
+  expect_equal(scan_residuals(rep(2, 4))$p, 2 * stats::pnorm(-4))
+  expect_equal(scan_residuals(rep(2, 8))$p, 2 * 2 * stats::pnorm(-16 / sqrt(8)))
+  expect_identical(scan_residuals(rep(9, 3))$p, 1)
+})
+
 test_that("digits that tremble are no counter", {
   stops <- function(coulomb, omega0) {
     scene_axle(0.5, resistance = resistance(coulomb_n_m = coulomb), omega0_rad_per_s = omega0)
