@@ -256,7 +256,7 @@ cli_times <- function(text, wrong) {
     if (length(x) == 1L) return(x)
     n <- floor((x[2] - x[1]) / x[3] * (1 + 1e-10))
     if (!is.finite(n) || n < 0) wrong(say)
-    if (n > 1e7) wrong("at most 1e7 times")
+    if (n >= 1e7) wrong("at most 1e7 times")
     x[1] + (0:n) * x[3]
   }))
 }

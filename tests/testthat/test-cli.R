@@ -521,6 +521,8 @@ test_that("times", {
   for (bad in c("", "0:1", "0:1:0", "0:1:-1", "a", "0:1:0.1:2", "0:Inf:1", "0:1e9:1", "1;2")) {
     expect_error(times(bad))
   }
+  # With its first, these are 1e7 + 1.
+  expect_error(times("0:1e7:1"), "at most 1e7 times")
 })
 
 test_that("an internal fault is status 70, an unread pipe 141, an interrupt 130", {
