@@ -115,9 +115,8 @@ when_in_scene <- function(scene, asked, first, until_s, accuracy, call) {
 asked_value <- function(scene, dots, call) {
   constraint <- constraint_of(scene)
   index <- constraint$index
-  named <- length(dots) && !is.null(names(dots)) && all(nzchar(names(dots)))
   columns <- setdiff(names(dots), index)
-  if (!named || length(columns) != 1L || anyDuplicated(names(dots))) {
+  if (length(columns) != 1L || !nzchar(columns) || anyDuplicated(names(dots))) {
     abort_rotdyn(c(
       "Name one column and its value.", i = "Such as {.code time_when(x, omega_rad_per_s = 10)}."
     ), "type", call)

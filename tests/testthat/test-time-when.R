@@ -105,6 +105,7 @@ test_that("errors", {
   expect_error(time_when(scene, theta_rad = 3, until_s = 1e9), class = "rotdyn_error_time")
   expect_error(time_when(spin_up(), theta_rad = 3, until_s = 1e9), class = "rotdyn_error_type")
   expect_error(time_when(scene_rotors(c(1, 1), 1), theta_rad = 3), class = "rotdyn_error_type")
+  expect_error(time_when(scene_rotors(c(1, 1), 1), rotor = 1, 3), class = "rotdyn_error_type")
   expect_error(time_when(scene_rotors(c(1, 1), 1), theta_rad = 3, rotor = 3),
     class = "rotdyn_error_value")
 })
