@@ -53,6 +53,9 @@ test_that("an argument that was left out is named", {
     error <- expect_error(eval(left_out), class = "rotdyn_error_missing")
     expect_match(conditionMessage(error), "is missing")
   }
+  # One that is unknown is what was meant by it.
+  error <- expect_error(work_precision(article_scene(), times = 9), class = "rotdyn_error_argument")
+  expect_match(conditionMessage(error), "1 unknown argument.*Unknown: `times = 9`.*`time_s`")
 })
 
 test_that("arrays are plain numbers", {

@@ -97,6 +97,16 @@ test_that("headers are those of R Markdown and of Quarto", {
   expect_true(any(grepl("^Go on with `lesson\\(\"brake\"\\)`", body("a.Rmd"))))
 })
 
+test_that("pictures have the size that the page sets, else 7 x 3.6 inches", {
+  page <- function(setup) {
+    figure_sizes(c("---", "title: a", "---", "```{r setup, include = FALSE}", setup, "```"))
+  }
+  expect_equal(page("library(rotdyn)"), c(fig.width = 7, fig.height = 3.6))
+  expect_equal(
+    page("knitr::opts_chunk$set(fig.height = 4.2)"), c(fig.width = 7, fig.height = 4.2)
+  )
+})
+
 test_that("a notebook runs by itself", {
   for (package in c("knitr", "ggplot2", "dplyr")) skip_if_not_installed(package)
   folder <- new_folder()

@@ -77,6 +77,8 @@ test_that("bad tops are refused with the row", {
     precession_table(top[1, ], transverse_moment_kg_m2 = 0.004), "half",
     class = "rotdyn_error_value"
   )
+  # A flat body has exactly half.
+  expect_no_error(precession_table(top[1, ], transverse_moment_kg_m2 = 0.005))
   expect_error(precession_table(top[1, ], radius_m = 9), class = "rotdyn_error_argument")
   top$spin_rad_per_s[2] <- NA
   out <- precession_table(top)

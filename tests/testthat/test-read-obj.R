@@ -20,6 +20,8 @@ test_that("an OBJ may have negative numbers, colours, and lines that go on", {
   vertices <- c("v 0 0 0 1 0 0", "v 1 0 0 0 1 0", "v 0 2 0 0 0 1", "v 0 0 3 1 1 1")
   faces <- c("f -4/1/1 -2//1 -3/2", "f -4 -3 -1", "f -4 \\", "-1 -2", "f 2 3 4 # the last")
   expect_equal(obj_body(vertices, faces)$mass_kg, 1, tolerance = 1e-15)
+  # Indented, by spaces or a tab.
+  expect_equal(obj_body(paste0("  ", vertices), paste0("\t", faces))$mass_kg, 1, tolerance = 1e-15)
   # Negative numbers count from the vertices so far.
   early <- obj_body(vertices, "f -4 -2 -3", "f -4 -3 -1", "f -4 -1 -2", "f -3 -2 -1", "v 9 9 9")
   expect_equal(early$mass_kg, 1, tolerance = 1e-15)

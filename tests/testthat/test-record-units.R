@@ -67,6 +67,9 @@ test_that("each word of a unit is its multiple of the SI unit", {
   same(c("mdps"), pi / 180000)
   same(c("dps", "deg/s", "degrees/second"), pi / 180)
   same(c("km", "cm", "mm", "um", "inch"), c(1e3, 1e-2, 1e-3, 1e-6, 0.0254))
+  same(c("mrad/s", "rad/ms"), c(1e-3, 1e3))
+  same(c("g", "mg", "m/s2", "deg/s2"), c(9.80665, 9.80665e-3, 1, pi / 180))
+  same(c("m/s", "cm/s", "ut", "hpa", "%"), c(1, 1e-2, 1e-6, 100, 1e-2))
 })
 
 test_that("what stands in the place of a unit is said, known or not", {

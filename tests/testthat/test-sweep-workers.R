@@ -146,6 +146,17 @@ test_that("a run without a daemon says so once, after a minute, and waits", {
   expect_no_message(look_at_daemons(run, 200))
 })
 
+test_that("a daemon that is there is counted, and a wait for one is over", {
+  run <- coordinator()
+  run$nobody_since <- 0
+  with_daemon({
+    mirai::call_mirai(mirai::mirai(1, .compute = profile))
+    look_at_daemons(run, 100)
+  })
+  expect_identical(run$connections, 1L)
+  expect_null(run$nobody_since)
+})
+
 test_that("a profile without daemons is refused", {
   folder <- tempfile("sweep-")
   expect_error(sweep_run(plan, folder, compute = "rotdyn-none"), class = "rotdyn_error_argument")

@@ -13,7 +13,11 @@ test_that("units objects are converted, a wrong dimension is an error that names
   expect_equal(torque_constant(u(2, "N*m")), torque_constant(2))
   error <- expect_error(body_disk(u(2, "s"), 1), class = "rotdyn_error_unit")
   expect_match(conditionMessage(error), "kg")
+  expect_match(conditionMessage(error), "mass_kg` must be a quantity in kg")
   expect_match(conditionMessage(error), "s, has another dimension")
+  expect_error(
+    rolling_acceleration(u(2, "s"), 30), "must be a plain number", class = "rotdyn_error_unit"
+  )
 })
 
 test_that("a difftime is a time", {
