@@ -142,5 +142,9 @@ test_that("a box with the proportions of a phone has a screen on one side", {
   expect_equal(max(abs(screen[, 3])) / max(abs(screen[, 1])), 0.008 / 0.15 / 0.9, tolerance = 1e-6)
   normal <- cross_product(screen[2, ] - screen[1, ], screen[3, ] - screen[1, ])
   expect_gt(sum(normal * colMeans(screen)), 0)
-  expect_length(free_solid(scene_free(body_box(1, 0.3, 0.2, 0.1), c(0, 4, 0)))$faces, 6)
+  for (other in list(
+    body_box(1, 0.3, 0.2, 0.1), body_box(0.2, 0.15, 0.12, 0.008), body_box(0.2, 0.15, 0.05, 0.008)
+  )) {
+    expect_length(free_solid(scene_free(other, c(0, 4, 0)))$faces, 6)
+  }
 })

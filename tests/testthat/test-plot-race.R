@@ -18,6 +18,7 @@ test_that("what is no race, and unknown times", {
   race <- roll_race(time_s = c(0, 0.5))
   expect_error(ggplot2::autoplot(race, time_s = 0.4), class = "rotdyn_error_value")
   expect_error(ggplot2::autoplot(race, size = 1), class = "rotdyn_error_argument")
+  expect_error(ggplot2::autoplot(race, 7), "Unknown: `7`", class = "rotdyn_error_argument")
   expect_error(ggplot2::autoplot(roll_race(time_s = double())), class = "rotdyn_error_value")
   bare <- race
   attr(bare, "race") <- NULL

@@ -20,6 +20,11 @@ test_that("differences are drawn over what is allowed", {
   expect_true(all(same$data$ratio == 0))
   expect_error(ggplot2::autoplot(rerun(where[0, ])), class = "rotdyn_error_value")
   expect_error(ggplot2::autoplot(rerun(where["row"])), class = "rotdyn_error_type")
+  for (damaged in names(where)[-2]) {
+    bad <- where
+    bad[[damaged]] <- if (damaged == "quantity") 1 else "1"
+    expect_error(ggplot2::autoplot(rerun(bad)), class = "rotdyn_error_type")
+  }
   expect_error(ggplot2::autoplot(rerun(where), 2), class = "rotdyn_error_argument")
 })
 
