@@ -200,6 +200,16 @@ test_that("a normal along which the bodies separate is refused, with the rule of
   }
   expect_error(spin(-1), "at 0.5 m/s", class = "rotdyn_error_value")
   expect_gt(spin(1)$normal_impulse_n_s, 0)
+  # And that of body 2, a rod along x: its contact rises by 0.5 m/s, and 1/m1 + 1/m2 + 0.25 m^2/I2
+  # is 1 + 1 + 3.
+  lift <- function(omega_y) {
+    collide(
+      ball, body_rod(1, 1), omega_2_rad_per_s = c(0, omega_y, 0), velocity_1_m_per_s = c(0, 0, 0),
+      normal = c(0, 0, 1), arm_2_m = c(0.5, 0, 0), restitution = 0
+    )
+  }
+  expect_error(lift(1), "at 0.5 m/s", class = "rotdyn_error_value")
+  expect_equal(lift(-1)$normal_impulse_n_s, 0.5 / 5, tolerance = 1e-14)
   # Without approach, also within the rounding of large velocities, nothing happens.
   along <- collide(
     ball, ball, velocity_1_m_per_s = c(1e8, 0.1, 0), velocity_2_m_per_s = c(1e8, -3, 0),

@@ -127,6 +127,17 @@ test_that("a light touch of fast bodies has the rounding of their energy alone",
   expect_gt(energy, 0.99 * 64 * .Machine$double.eps)
 })
 
+test_that("the momentum of a bounce has some ten roundings of its terms", {
+  ledger <- collision_ledger(bounce())
+  eps <- .Machine$double.eps
+  # The ball before (faster than after), and the table's impulses.
+  p <- 0.06 * sqrt(20^2 + 5^2) + sqrt(0.525^2 + 0.2625^2)
+  expect_equal(ledger$rounding[1:2], rep(16 * eps * p, 2), tolerance = 1e-12)
+  # About the contact: the spin 2/5 m r^2 omega, and the momentum with its arm of 0.033 m.
+  l <- 0.4 * 0.06 * 0.033^2 * 300 + 0.033 * 0.06 * sqrt(20^2 + 5^2) + 0.033 * p
+  expect_equal(ledger$rounding[3], 32 * eps * l, tolerance = 1e-12)
+})
+
 test_that("a row of NA is printed", {
   ledger <- collision_ledger(ball_bounce(body_sphere(1, 0.1), 1, -1))
   expect_output(print(ledger[c(1, NA), ]), "rot_ledger")

@@ -9,8 +9,8 @@ test_that("rows take the law's own value only where it is as small as its roundi
     trajectory(scene_axle(1, law), times)
     calls
   }
-  # From 2e-9 to 1e-11 of its largest value: no row is read again.
-  expect_identical(count(c(0, seq(20, 25, length.out = 100), 30)), count(c(0, 30)))
+  # From 2e-9 to 1.3e-14 of its largest value: no row is read again.
+  expect_identical(count(c(0, seq(20, 32, length.out = 100), 32)), count(c(0, 32)))
 })
 
 test_that("a start at rest on a jump of the angle that pushes back is refused at once", {

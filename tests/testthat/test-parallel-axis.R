@@ -99,6 +99,14 @@ test_that("rounding on the way back leaves no impossible tensor", {
   }
 })
 
+test_that("a tensor that is impossible by more than rounding is not altered", {
+  # I1 + I2 short of I3 by 1e-13, 56 times the rounding allowed; exact in double precision.
+  short <- diag(c(1, 1 - 2^-43, 2))
+  away <- short + diag(c(0, 0.25, 0.25))
+  back <- parallel_axis(away, 1, c(0.5, 0, 0), direction = "to_centre")
+  expect_identical(unname(back), short)
+})
+
 test_that("bad arguments are refused by class", {
   expect_error(parallel_axis(), class = "rotdyn_error_missing")
   expect_error(parallel_axis(1, 2), class = "rotdyn_error_missing")

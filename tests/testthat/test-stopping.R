@@ -116,6 +116,11 @@ test_that("a bead and a drive stop by dry friction", {
   expect_identical(x$rotor, 1:2)
   expect_equal(x$stop_time_s, c(48, 48), tolerance = 1e-9)
   expect_equal(x$stop_theta_rad, c(144, 144), tolerance = 1e-8)
+  # omega' = -(1 + omega^2): atan(omega0), far within the error of 1e-9 that is asked for.
+  drive <- scene_drive(
+    1, resistance = list(resistance(coulomb_n_m = 1, quadratic_n_m_s2 = 1)), omega0_rad_per_s = 20
+  )
+  expect_equal(stopping(drive)$stop_time_s, atan(20), tolerance = 1e-11)
 })
 
 test_that("what does not stop, or cannot be known to, is refused", {
