@@ -92,7 +92,13 @@ static const kernel_case cases[] = {
      {-0.1, 0.5, -1.0, -1.0},
      {3.0, 4.0, 1.0, 1.0}},
     {brick, "free_exact", 60.0, {"omega0_rad_per_s[2]", "time_s", NULL}, {-1.0, -1.0}, {1.0, 1e3}},
-    /* A moment of 0 is among them. */
+    /* A moment of 0 is among them, and a body without moments. */
+    {brick,
+     "free_exact",
+     60.0,
+     {"body[1]", "body[2]", "body[3]", "omega0_rad_per_s[1]", NULL},
+     {0.0, 0.0, 0.0, 0.0},
+     {1.0, 1.0, 1.0, 1.0}},
     {brick, "free_exact", 60.0, {"omega0_rad_per_s[3]", "body[1]", NULL}, {-1.0, 0.0}, {1.0, 4.0}},
     {brick, "free_exact", 60.0, {"omega0_rad_per_s[3]", "body[2]", NULL}, {-1.0, 0.0}, {1.0, 3.5}},
 };
@@ -122,6 +128,7 @@ static double number(const kernel_case *c, size_t k, size_t i) {
   const double u = (double)(i + 1) * step[k];
   if (i % 97 == 96) return k == 0 ? NAN : c->high[k];
   if (i % 89 == 88) return k == 0 ? INFINITY : c->low[k];
+  if (i % 83 == 82) return c->low[k];
   return c->low[k] + (c->high[k] - c->low[k]) * (u - floor(u));
 }
 

@@ -96,9 +96,8 @@ static rot_status run(const void *of, const rot_batch_rows *rows) {
     put_momentum(inertia, rows->start, i);
     put_momentum(inertia, rows->end, i);
     rows->error[i] = figure(inertia, before, after, rows->error[i], omega_error[i]);
-    /* No motion, or a moment with which the builder may refuse the spin: it says why. */
-    const int good =
-        isfinite(rows->error[i]) && inertia[0] > 0.0 && inertia[1] > 0.0 && inertia[2] > 0.0;
+    /* No motion, or a body without moments, which the builder refuses: it says why. */
+    const int good = isfinite(rows->error[i]) && inertia[0] + inertia[1] + inertia[2] > 0.0;
     rows->status[i] = good ? ROT_OK : ROT_EVALUE;
   }
   return ROT_OK;
