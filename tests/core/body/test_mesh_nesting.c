@@ -94,6 +94,16 @@ static void test_wrong(void) {
   s.xyz[3 * 10 + 1] = 3.0; /* the corners on a line */
   s.xyz[3 * 10 + 2] = 0.0;
   EXPECT(&s, {0, 0, 0, 0, 0, 1, 2});
+  s.vertices = s.faces = 0; /* a sheet through a cube, before and after it, crosses nothing */
+  for (int k = 0; k < 2; k++) {
+    const double z = 0.3 * k;
+    if (k) add_cube(&s, 0.0, 1.0, 0);
+    const int i = shape_vertex(&s, 0.1, 0.2, z - 3.0), j = shape_vertex(&s, 0.2, 0.1, z + 3.0);
+    const int last = shape_vertex(&s, 5.0, 0.3, z);
+    shape_face(&s, i, j, last);
+    shape_face(&s, i, last, j);
+  }
+  EXPECT(&s, {0, 0, 0, 0, 0, 2, 0});
   shape_free(&s);
 }
 

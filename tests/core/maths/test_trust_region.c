@@ -1,5 +1,6 @@
 /* Least squares against certified values of NIST's Statistical Reference Datasets (Misra1a, from
- * both of their starts), a linear problem, nearly dependent columns, points without residuals. */
+ * both of their starts; MGH09), a linear problem, nearly dependent columns, points without
+ * residuals. */
 #include "maths/trust_region.h"
 
 #include <math.h>
@@ -54,6 +55,52 @@ static void certified(void) {
     ROT_CHECK_REL(fabs(r[3] * factor[3]), found.sigma, 1e-13);
     ROT_CHECK_REL(fabs(r[0] * factor[0]), found.sigma, 1e-13);
     ROT_CHECK(r[2] == 0.0);
+  }
+}
+
+/* MGH09, far from its minimum: of 4000 random starts in [0, 10]^4 the dogleg method alone finds it
+ * from 765, with Levenberg and Marquardt's after it from 3987. */
+enum { MGH = 11 };
+static const double mgh_x[MGH] = {4.0,   2.0, 1.0,    0.5,    0.25,  0.167,
+                                  0.125, 0.1, 0.0833, 0.0714, 0.0625};
+static const double mgh_y[MGH] = {0.1957, 0.1947, 0.1735, 0.1600, 0.0844, 0.0627,
+                                  0.0456, 0.0342, 0.0323, 0.0235, 0.0246};
+
+static rot_status mgh_residual(const double b[], double r[], void *ctx) {
+  (void)ctx;
+  for (size_t i = 0; i < MGH; i++) {
+    const double x = mgh_x[i];
+    r[i] = b[0] * x * (x + b[1]) / (x * (x + b[2]) + b[3]) - mgh_y[i];
+  }
+  return ROT_OK;
+}
+
+static rot_status mgh_jacobian(const double b[], double j[], void *ctx) {
+  (void)ctx;
+  for (size_t i = 0; i < MGH; i++) {
+    const double x = mgh_x[i], above = x * (x + b[1]), below = x * (x + b[2]) + b[3];
+    j[4 * i] = above / below;
+    j[4 * i + 1] = b[0] * x / below;
+    j[4 * i + 2] = -b[0] * above * x / (below * below);
+    j[4 * i + 3] = -b[0] * above / (below * below);
+  }
+  return ROT_OK;
+}
+
+static void second_method(void) {
+  static const double starts[][4] = {
+      {8.0, 3.3, 3.8, 4.9}, {5.5, 4.2, 1.7, 7.3}, {2.2, 3.6, 5.6, 4.2}, {7.9, 5.8, 4.0, 6.5}};
+  const rot_squares_problem problem = {MGH, 4, mgh_residual, mgh_jacobian, NULL, 1e-14, 1e-12};
+  for (int k = 0; k < 4; k++) {
+    double x[4], covariance[16], factor[16];
+    rot_squares found = {.covariance = covariance, .factor = factor};
+    memcpy(x, starts[k], sizeof x);
+    ROT_CHECK(rot_squares_solve(&problem, NULL, x, &found) == ROT_OK);
+    ROT_CHECK_REL(x[0], 1.9280693458e-01, 1e-4);
+    ROT_CHECK_REL(x[1], 1.9128232873e-01, 1e-4);
+    ROT_CHECK_REL(x[2], 1.2305650693e-01, 1e-4);
+    ROT_CHECK_REL(x[3], 1.3606233068e-01, 1e-4);
+    ROT_CHECK_REL(found.squares, 3.0750560385e-04, 1e-9);
   }
 }
 
@@ -116,6 +163,7 @@ static void faults(void) {
 
 int main(void) {
   certified();
+  second_method();
   dependent();
   faults();
   return rot_test_report("trust_region");
