@@ -330,7 +330,7 @@ static int stands_out(const rot_ode_probes *q, size_t k, size_t m, double change
   size_t n = 0, above = 0;
   *d = change_after(q, k, m, change);
   for (size_t j = k > AROUND ? k - AROUND : 0; j + 1 < q->n_values && j <= k + AROUND; j++) {
-    if (j != k && n < 2 * AROUND) around[n++] = change_after(q, j, m, change);
+    if (j != k) around[n++] = change_after(q, j, m, change);
   }
   for (size_t j = 0; j < n; j++) above += *d <= STANDS_OUT * around[j];
   return n >= AROUND && 2 * above < n;

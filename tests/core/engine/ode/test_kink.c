@@ -131,7 +131,46 @@ static void check_calls(void) {
   }
 }
 
+/* A kink on a line across the state: y'' = -y on one side of y + y'/2 = 0, and -4 y - 3/2 y' on the
+ * other. From a state on the line it is back on it after half a period, of the opposite sign, times
+ * exp(-3/4 of the time) in the second case. No value of one component is such a line: a step ends
+ * near it, and a short one goes over. */
+static rot_status oblique(double t, const double y[], double f[], void *ctx) {
+  size_t *calls = ctx;
+  const double in = y[0] + 0.5 * y[1];
+  ++*calls;
+  (void)t;
+  f[0] = y[1];
+  f[1] = -y[0] - (in > 0.0 ? 3.0 * in : 0.0);
+  return ROT_OK;
+}
+
+static void check_oblique(void) {
+  enum { CYCLES = 5 };
+  const double pi = acos(-1.0), half = pi / sqrt(4.0 - 0.5625), start[] = {1.0, -2.0};
+  const double end = CYCLES * (half + pi), by = exp(-0.75 * CYCLES * half);
+  for (int a = 6; a <= 12; a += 3) {
+    size_t calls = 0;
+    double y[2], error[2], largest[2];
+    rot_info info;
+    const rot_ode_params p = {.dim = 2,
+                              .controlled = 2,
+                              .rhs = oblique,
+                              .ctx = &calls,
+                              .start = start,
+                              .accuracy = pow(10.0, -a),
+                              .max_steps = 100000,
+                              .method = ROT_METHOD_RK8PD};
+    ROT_CHECK_EQ_INT(rot_ode_run(&p, 1, &end, y, NULL, error, largest, NULL, &info), ROT_OK);
+    ROT_CHECK(fabs(y[0] - by) <= error[0] + 1e-15 && fabs(y[1] + 2.0 * by) <= error[1] + 1e-15);
+    ROT_CHECK(calls < 20000); /* 55000 at 1e-12 by the error control alone */
+    printf("kinks across the state, accuracy 1e-%02d: %zu calls, off by %.1e of %.1e\n", a, calls,
+           fmax(fabs(y[0] - by), fabs(y[1] + 2.0 * by)), error[1]);
+  }
+}
+
 int main(void) {
+  check_oblique();
   check_calls();
   check_cover();
   return rot_test_report("ode_kink");
