@@ -8,11 +8,10 @@
 static const double pi = 0x1.921fb54442d18p+1;
 
 /* Error of the formula, (slow - formula)/formula: x = e/(1 + sqrt(1 - e))^2 with e = 4 I1 G cos/(I3
- * omega3)^2. Relative to the slow rate it is x/(1 + x). */
+ * omega3)^2; NaN without a steady precession, e > 1. Relative to the slow rate it is x/(1 + x). */
 static double formula_error(double i1, double weight, double cosine, double momentum) {
   if (cosine == 0.0 || weight == 0.0) return 0.0;
   const double e = 4.0 * (i1 / momentum) * (weight / momentum) * cosine;
-  if (!(e <= 1.0)) return NAN;
   const double s = 1.0 + sqrt(1.0 - e), x = e / (s * s);
   return fabs(x / (1.0 + x));
 }

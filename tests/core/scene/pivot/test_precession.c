@@ -133,6 +133,25 @@ static void test_small(void) {
   }
 }
 
+/* At the least spin of a steady precession, 2 sqrt(I1 G)/I3 = 2 upright, it turns twice as fast as
+ * the formula says, and stays; a spin backwards differs by signs alone. */
+static void test_least_spin(void) {
+  rot_precession_input in = {1.0, 1.0, 1.0, 2.0, 1.0, 0.0, 1.0};
+  rot_precession out = rot_precession_of(&in);
+  ROT_CHECK(out.slow_rad_per_s == 1.0 && out.fast_rad_per_s == 1.0 && out.error == 0.5);
+  ROT_CHECK(isinf(out.nutation_s) && out.lowest_deg == 0.0);
+  in.spin_rad_per_s = nextafter(2.0, 0.0);
+  ROT_CHECK(isnan(rot_precession_of(&in).error));
+  for (int fast = 0; fast < 2; fast++) {
+    in.spin_rad_per_s = fast ? 3.0 : 1.5;
+    out = rot_precession_of(&in);
+    in.spin_rad_per_s = -in.spin_rad_per_s;
+    const rot_precession back = rot_precession_of(&in);
+    ROT_CHECK(back.nutation_s == out.nutation_s && isinf(out.nutation_s) == !fast);
+    ROT_CHECK(!fast || back.mean_rad_per_s == -out.mean_rad_per_s);
+  }
+}
+
 /* The same top in other units of mass and time. */
 static void test_scales(void) {
   const rot_precession_input in = {1.0, 0.5, 0.25, 8.0, 0.375, 60.0, 8.0};
@@ -160,6 +179,7 @@ int main(void) {
   test_ends();
   test_vertical();
   test_small();
+  test_least_spin();
   test_scales();
   return rot_test_report("precession");
 }

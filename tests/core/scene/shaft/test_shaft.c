@@ -481,6 +481,35 @@ static void check_backwards(void) {
   }
 }
 
+/* Rows that are evenly spaced but for the rounding of their times and 1e-10 s more: by
+ * steps of one exponential, and by one exponential each. */
+static void check_uneven_rows(void) {
+  enum { ROWS = 60 };
+  double J[3] = {1.0, 0.2, 3.0}, k[2] = {50.0, 80.0}, c[2] = {0.3, 0.0}, d[3] = {0.0, 0.1, 0.0};
+  double tau[3] = {1.0, 0.0, -2.0}, theta0[3] = {0.1, 0.0, -0.2}, omega0[3] = {1.0, 2.0, 3.0};
+  double time[ROWS], theta[2][3 * ROWS], omega[2][3 * ROWS], torque[3 * ROWS];
+  rot_info info[2];
+  const rot_shaft_params p = {3, J, k, c, d, tau, theta0, omega0, 3.7};
+  for (int i = 0; i < ROWS; i++) time[i] = 3.7 + 0.1 * i + 1e-10 * sin(7.0 * i);
+  for (int fast = 0; fast < 2; fast++) {
+    const rot_shaft_columns out = {theta[fast], omega[fast], torque};
+    ROT_CHECK_EQ_INT(rot_shaft_modal(&p, fast, ROWS, time, &out, NULL, &info[fast]), ROT_OK);
+  }
+  ROT_CHECK(info[1].steps < ROWS / 2 && info[0].steps == ROWS);
+  /* An acceleration of 100 rad/s^2 for 1e-10 s would be 1e-8. */
+  for (int i = 0; i < 3 * ROWS; i++) {
+    ROT_CHECK(fabs(theta[1][i] - theta[0][i]) < 1e-13);
+    ROT_CHECK(fabs(omega[1][i] - omega[0][i]) < 1e-12);
+  }
+  /* Each step adds its rounding to those of one exponential, whose phase is 25 rad/s times t. */
+  for (int m = ROT_THETA; m <= ROT_OMEGA; m++) {
+    ROT_CHECK(info[1].measure[m].error > info[0].measure[m].error);
+    ROT_CHECK(info[1].measure[m].error < 2.0 * info[0].measure[m].error);
+  }
+  printf("steps: %d, stated %.2g and %.2g\n", (int)info[1].steps, info[1].measure[ROT_OMEGA].error,
+         info[0].measure[ROT_OMEGA].error);
+}
+
 /* Free of torque and damping nothing flows, however long the shaft turns: exactly 0. */
 static void check_no_flow(void) {
   double J[3] = {1.0, 0.2, 3.0}, k[2] = {50.0, 80.0}, zero[3] = {0.0}, omega0[3] = {1.0, 2.0, 3.0};
@@ -583,6 +612,7 @@ int main(void) {
   check_frequencies();
   check_balances();
   check_backwards();
+  check_uneven_rows();
   check_no_flow();
   check_ends();
   check_rigid();
