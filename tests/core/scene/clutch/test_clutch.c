@@ -426,6 +426,34 @@ static void check_engagement(void) {
   rot_events_free(&x.events);
 }
 
+/* I = 2 and 3, 10 and 0 rad/s, 6 N m on the first, 12 N m between them, 1 s: 8.5 and 2 rad, so
+ * 51 J of work, 78 J of heat, 6 N m s. Their allowances are some roundings. */
+static void check_allowances(void) {
+  const double zero = 0.0, six = 6.0, time[] = {0.0, 1.0};
+  const rot_clutch_params p = {.inertia_kg_m2 = {2.0, 3.0},
+                               .capacity_n_m = 12.0,
+                               .static_n_m = 12.0,
+                               .torque_n_m = {{0, NULL, &six}, {0, NULL, &zero}},
+                               .theta0_rad = {0.0, 0.0},
+                               .omega0_rad_per_s = {10.0, 0.0}};
+  double theta[2][2], omega[2][2], torque[2], heat[2], flows[3][2], off[ROT_CLUTCH_N_FLOWS];
+  int locked[2];
+  rot_events events = {0};
+  rot_info info;
+  const rot_clutch_columns out = {theta[0], omega[0], theta[1], omega[1], torque, heat, locked};
+  double *const flow[ROT_CLUTCH_N_FLOWS] = {flows[0], flows[1], flows[2]};
+  ROT_CHECK_EQ_INT(rot_clutch_run(&p, 2, time, &out, flow, off, &events, NULL, &info), ROT_OK);
+  /* Work is the torque times an angle that is known to its figure. */
+  ROT_CHECK(off[0] >= six * info.measure[ROT_THETA].error);
+  static const double want[] = {51.0, 78.0, 6.0}, roundings[] = {64.0, 256.0, 16.0};
+  for (int i = 0; i < 3; i++) {
+    ROT_CHECK(fabs(flows[i][1] - want[i]) <= off[i]);
+    ROT_CHECK(off[i] <= roundings[i] * ROT_EPS * want[i]);
+    printf("%g: allowance %.3g roundings\n", want[i], off[i] / (ROT_EPS * want[i]));
+  }
+  rot_events_free(&events);
+}
+
 /* Equal speeds at the start: locked at once, without an event, up to the static capacity to the
  * last digit; beyond it slips, the way the torques pull. */
 static void check_hold(void) {
@@ -558,6 +586,7 @@ int main(void) {
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) check_case(&cases[i]);
   printf("true error / bound: at most %.3g\n", worst);
   check_engagement();
+  check_allowances();
   check_hold();
   check_reversal();
   check_late();
