@@ -670,3 +670,44 @@ test_that("a coupling without teeth is no gear, and one with a ratio is", {
   expect_identical(effects(coupling_gear(2)), "gear")
   expect_setequal(effects(coupling_shaft(5, ratio = 2)), c("shaft", "gear"))
 })
+
+# Acceleration of the first of rotors in mesh, each with a torque: the directions of the power in the
+# meshes give one, by the torque balance of the last rotor, the one before, ...; those that it has
+# itself are the answer. `turn`: 1 forward, -1 backward.
+meshed_acceleration <- function(inertia, ratio, efficiency, torque, turn) {
+  n <- length(inertia)
+  speed <- cumprod(c(1, 1 / ratio))
+  flows <- as.matrix(expand.grid(rep(list(c(1, -1)), n - 1)))
+  unlist(lapply(seq_len(nrow(flows)), function(k) {
+    needs <- c(0, 0) # a torque, and its change with the acceleration of the first
+    power <- matrix(0, n - 1, 2)
+    for (i in n:1) {
+      needs <- needs + c(-torque[i], inertia[i] * speed[i])
+      if (i == 1) break
+      power[i - 1, ] <- needs * speed[i] * turn
+      needs <- needs * speed[i] / speed[i - 1] / efficiency[i - 1]^flows[k, i - 1]
+    }
+    a <- -needs[1] / needs[2]
+    if (all(sign(power %*% c(1, a)) == flows[k, ])) a
+  }))
+}
+
+test_that("lossy meshes lose power in the direction in which it flows, in rows of three to five", {
+  set.seed(3)
+  for (j in 1:30) {
+    n <- 3 + j %% 3
+    inertia <- runif(n, 0.1, 2)
+    ratio <- runif(n - 1, 0.3, 3) * sample(c(-1, 1), n - 1, TRUE)
+    efficiency <- runif(n - 1, 0.5, 0.95)
+    torque <- runif(n, -5, 5)
+    turn <- if (j %% 2) 1 else -1
+    drive <- scene_drive(
+      inertia, Map(function(r, e) coupling_gear(r, efficiency = e), ratio, efficiency),
+      torque = torque, omega0_rad_per_s = 100 * turn * cumprod(c(1, 1 / ratio))
+    )
+    motion <- trajectory(drive, c(0, 1))
+    gained <- diff(motion$omega_rad_per_s[motion$rotor == 1])
+    expect_equal(gained, meshed_acceleration(inertia, ratio, efficiency, torque, turn),
+      tolerance = 1e-11)
+  }
+})
