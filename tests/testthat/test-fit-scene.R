@@ -157,6 +157,8 @@ test_that("what cannot be fitted is said before", {
                class = "rotdyn_error_value")
   expect_error(fit_scene(bowling(0.2, 7), film["time_s"], "v0_m_per_s"), "no column",
                class = "rotdyn_error_argument")
+  expect_error(fit_scene(bowling(0.2, 7), list(), "v0_m_per_s"), "must be a data frame",
+               class = "rotdyn_error_type")
   expect_error(fit_scene(bowling(0.2, 7), film["x_m"], "v0_m_per_s"),
                class = "rotdyn_error_missing")
   words <- transform(film, x_m = as.character(x_m))

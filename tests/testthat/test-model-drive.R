@@ -671,9 +671,9 @@ test_that("a coupling without teeth is no gear, and one with a ratio is", {
   expect_setequal(effects(coupling_shaft(5, ratio = 2)), c("shaft", "gear"))
 })
 
-# Acceleration of the first of rotors in mesh, each with a torque: the directions of the power in the
-# meshes give one, by the torque balance of the last rotor, the one before, ...; those that it has
-# itself are the answer. `turn`: 1 forward, -1 backward.
+# Acceleration of the first of rotors in mesh, each with a torque: the directions of the power in
+# the meshes give one, by the torque balance of the last rotor, the one before, ...; those that it
+# has itself are the answer. `turn`: 1 forward, -1 backward.
 meshed_acceleration <- function(inertia, ratio, efficiency, torque, turn) {
   n <- length(inertia)
   speed <- cumprod(c(1, 1 / ratio))

@@ -349,6 +349,13 @@ static void slip_from_rest(void) {
   ROT_CHECK_ULP(end.normal_impulse, 1.5 / (knn - ktn * ktn / ktt), 8);
   ROT_CHECK_ULP(end.v[0][0], -ktn / ktt * end.normal_impulse, 8);
   ROT_CHECK(end.sticks && end.friction_loss <= 0.0);
+  in.friction = 0.0; /* nothing holds it, with or without slip at the start */
+  for (int slips = 0; slips < 2; slips++) {
+    in.body[0].v[0] = 2.0 * slips;
+    ROT_CHECK(rot_collide(&in, &end) == ROT_COLLIDE_OK);
+    ROT_CHECK_ULP(end.normal_impulse, 1.5 / knn, 4);
+    ROT_CHECK(!end.sticks && end.v[0][0] == 2.0 * slips);
+  }
 }
 
 /* Powers of two in the units change no bit; the ends of the doubles are as good as the middle. */
