@@ -28,6 +28,23 @@ test_that("by hand: constant torque without resistance, and coasting", {
   expect_equal(audited(trajectory(scene_axle(2, omega0_rad_per_s = 3), 0:3))$verdict, "balanced")
 })
 
+test_that("the rounding that an audit allows is some hundred roundings of its terms", {
+  roundings <- function(motion, sizes) {
+    a <- audit(motion)
+    expect_true(all(abs(a$residual) <= a$rounding))
+    max(a$rounding / sizes / .Machine$double.eps)
+  }
+  # 36 J and 12 kg m^2/s, as above.
+  expect_lt(roundings(trajectory(scene_axle(2, 3), c(0, 4)), c(36, 12)), 100)
+  # A spring of 100 N m/rad, 0.1 rad from its rest, after an eighth of its period.
+  spring <- scene_axle(1, torque_spring(100), theta0_rad = 0.1)
+  expect_lt(roundings(trajectory(spring, c(0, pi / 40)), c(0.25, sqrt(0.5))), 300)
+  # A ball that rolls for 1 s: 5/7 of m g sin(30 degrees), and 2/5 m r v of its own.
+  v <- 5 / 7 * 9.80665 / 2
+  ball <- scene_incline(body_sphere(2, 0.1), 30, static_friction = 0.5)
+  expect_lt(roundings(trajectory(ball, c(0, 1)), c(9.80665 * v / 2, 2 * v, 0.08 * v)), 300)
+})
+
 test_that("the integrator's ledger agrees with the closed form's", {
   exact <- audited(trajectory(article_scene(), 0:8))
   other <- audited(trajectory(article_scene(), 0:8, model = "axle_rk8pd"))

@@ -11,6 +11,15 @@ expect_good <- function(body, mass, exact, at_most = 1e-10) {
   testthat::expect_lte(abs(body$mass_kg / mass - 1), body$detail$mass_error)
 }
 
+test_that("a density with a unit is converted", {
+  skip_if_not_installed("units")
+  steel <- function(x, y, z) {
+    units::set_units(rep(7.5, length(x)), "g/cm^3", mode = "standard")
+  }
+  block <- body_density(steel, domain_box(c(0, 0, 0), c(0.1, 0.2, 0.3)))
+  expect_equal(block$mass_kg, 7500 * 0.006, tolerance = 1e-12)
+})
+
 test_that("uniform bodies have the moments of the books", {
   expect_good(
     body_density(3, domain_box(c(0, 0, 0), c(2, 3, 5))), 90, 90 / 12 * c(4, 9, 25), 3e-15

@@ -271,6 +271,16 @@ static void plans_without_kernel(void) {
   static const char *const attitude[] = {"attitude0[1]"}, *const q[] = {"final_qw"};
   const rot_row_plan turned = {box, 1, attitude, 1, times, "free_exact", 0, 1e-9, 1e6, 1, q};
   ROT_CHECK(rot_table_open(&turned, &table) == ROT_OK && !table);
+  /* The kernel of tumbling begins at 0 s. */
+  static const char *const spin[] = {"omega0_rad_per_s[1]"};
+  for (int late = 0; late < 2; late++) {
+    rot_object *body = brick();
+    if (late) put(body, "start_s", 0.5);
+    const rot_row_plan exact = {body, 1, spin, 1, times, "free_exact", 0, 1e-9, 1e6, 1, q};
+    ROT_CHECK(rot_table_open(&exact, &table) == ROT_OK && (table == NULL) == late);
+    rot_table_close(table);
+    rot_object_free(body);
+  }
   rot_object_free(scene);
   rot_object_free(dry);
   rot_object_free(disks);

@@ -502,6 +502,22 @@ static void check_backwards(void) {
     ROT_CHECK(fabs(again[i] - theta0[i]) <= 1e-13);
     ROT_CHECK(fabs(rate[i] - omega0[i]) <= 1e-12);
   }
+  /* With a damper on one shaft the modes are coupled; a second back, it grows. */
+  double damper[2] = {0.3, 0.0}, drag[3] = {0.0, 0.1, 0.0}, early[3], fast[3];
+  p = (rot_shaft_params){3, J, k, damper, drag, tau, theta0, omega0, 0.0};
+  out = (rot_shaft_columns){early, fast, torque};
+  t = -1.0;
+  back = 1.0;
+  ROT_CHECK_EQ_INT(rot_shaft_modal(&p, 0, 1, &t, &out, NULL, &info), ROT_OK);
+  ROT_CHECK(fabs(early[0] - theta0[0]) > 0.1);
+  p.theta0_rad = early;
+  p.omega0_rad_per_s = fast;
+  out = (rot_shaft_columns){again, rate, torque};
+  ROT_CHECK_EQ_INT(rot_shaft_modal(&p, 0, 1, &back, &out, NULL, &info), ROT_OK);
+  for (int i = 0; i < 3; i++) {
+    ROT_CHECK(fabs(again[i] - theta0[i]) <= 1e-12);
+    ROT_CHECK(fabs(rate[i] - omega0[i]) <= 1e-11);
+  }
 }
 
 /* Rows that are evenly spaced but for the rounding of their times and 1e-10 s more: by
