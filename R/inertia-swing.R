@@ -210,9 +210,9 @@ filar_inertia <- function(swing, mass_kg, length_m, height_m, upper, lower, ampl
   out
 }
 
-# The period of two or three wires by 16 midpoints, which are exact to rounding: the integrand is
-# even and periodic. `square`: h(0)^2. All arguments are numbers or vectors of one length.
-filar_period <- function(inertia, mass, square, upper, lower, amplitude, gravity, nodes = 16L) {
+# The period of two or three wires by midpoints, which converge geometrically: the integrand is even
+# and periodic. `square`: h(0)^2. All arguments are numbers or vectors of one length.
+filar_period <- function(inertia, mass, square, upper, lower, amplitude, gravity, nodes) {
   k2 <- sin(amplitude / 2)^2
   top <- sqrt(square - 4 * upper * lower * k2)
   sum <- 0
@@ -230,10 +230,25 @@ filar_period <- function(inertia, mass, square, upper, lower, amplitude, gravity
   4 * sum * (pi / 2 / nodes)
 }
 
-# The inertia at which the period is T: secant steps in T^2, which is nearly linear in I.
+# The inertia at which the period is T. Nodes are doubled until they agree: 16 are exact to rounding
+# for swings of 2 rad; wide ones, wires that nearly cross and compact bodies need more.
 filar_solve <- function(period, mass, square, upper, lower, amplitude, gravity) {
+  nodes <- 16L
+  repeat {
+    inertia <- filar_root(period, mass, square, upper, lower, amplitude, gravity, nodes)
+    nodes <- 2L * nodes
+    finer <- filar_period(inertia, mass, square, upper, lower, amplitude, gravity, nodes)
+    agree <- abs(finer - period) <= 16 * .Machine$double.eps * period
+    if (nodes > 4096L || all(agree, na.rm = TRUE)) return(inertia)
+  }
+}
+
+# Secant steps in T^2, which is nearly linear in I.
+filar_root <- function(period, mass, square, upper, lower, amplitude, gravity, nodes) {
   small <- mass * gravity * upper * lower * period^2 / (4 * pi^2 * sqrt(square))
-  t2 <- function(i) filar_period(i, mass, square, upper, lower, amplitude, gravity)^2 - period^2
+  t2 <- function(i) {
+    filar_period(i, mass, square, upper, lower, amplitude, gravity, nodes)^2 - period^2
+  }
   a <- small * 0.98
   b <- small
   fa <- t2(a)
