@@ -494,17 +494,19 @@ motion_text <- function(rest) {
   paste0(turning, ", advancing ", format_si(signif(along, 4)), " m/rad")
 }
 
-# What happens a little beyond a limit.
-verdict_beyond <- function(structure, chosen, limit, side, call) {
+# What happens a little beyond a limit: further on where the search has no answer so close to it.
+verdict_beyond <- function(structure, chosen, limit, side, call, step = 1e-6) {
   if (!is.finite(limit)) return(NA_character_)
   sign <- if (side == 1L) -1 else 1
-  beyond <- limit + sign * 1e-6 * max(abs(limit), 1)
+  beyond <- limit + sign * step * max(abs(limit), 1)
   factor <- rep(ifelse(chosen > 0, beyond, 1), each = 3L)
-  problem <- structure$problem
-  problem$load_force <- problem$load_force * factor
-  problem$load_couple <- problem$load_couple * factor
-  structure$problem <- problem
-  rest_verdict(solve_statics(structure, call))
+  moved <- structure
+  moved$problem$load_force <- structure$problem$load_force * factor
+  moved$problem$load_couple <- structure$problem$load_couple * factor
+  tryCatch(rest_verdict(solve_statics(moved, call)), rotdyn_error_range = function(e) {
+    if (step > 1e-3) rlang::cnd_signal(e)
+    verdict_beyond(structure, chosen, limit, side, call, 10 * step)
+  })
 }
 
 check_outline <- function(outline_m, plane, call) {

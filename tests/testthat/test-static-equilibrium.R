@@ -568,3 +568,51 @@ test_that("supports that were filtered or changed are no equilibrium of the whol
   expect_false(inherits(dplyr::filter(whole, support == "left"), "rot_equilibrium"))
   expect_false(inherits(dplyr::mutate(whole, force_n = 0), "rot_equilibrium"))
 })
+
+test_that("a wedge that no load pushes sideways grips from friction 5 on", {
+  # Only the wedge has a force along x, which is 0: it pushes straight down, at the angle of tangent
+  # 5 from its normal. Torques about x = 0: 2.2 n - 0.1 f = -60 g with the floor's n >= 0.
+  wedged <- function(friction) {
+    static_equilibrium(load_weight(20, c(-0.6, -0.5)), list(
+      floor = support_surface(c(1.9, 0), c(0, 1)),
+      wedge = support_surface(c(-0.2, 0), c(-1, -0.2), friction),
+      step = support_surface(c(-0.3, 0.4), c(0, 1))
+    ))
+  }
+  verdict <- vapply(c(3, 4.99, 5.01, 1e3, Inf), function(f) summary(wedged(f))$verdict, "")
+  expect_identical(verdict, rep(c("slides", "rests"), 2:3))
+  r <- reactions(wedged(5.01))
+  expect_equal(r$value, c(0, 0, -60 * g, 80 * g), tolerance = 1e-13)
+  expect_equal(r$highest[3], -60 * g, tolerance = 1e-9)
+  expect_identical(c(r$lowest[2], r$highest[2]), c(0, 0))
+})
+
+test_that("no load at all: a body rests, however its supports stand", {
+  x <- static_equilibrium(load_force(c(0, 0, -196), c(0.7, 1.4, 1.6), name = "one"), list(
+    support_surface(c(0.4, 1.3, 0), c(-1.75, 1.95, 0.6), 0.5),
+    support_roller(c(2.79, -1.88, 0.817), c(-1.7, 1.1, 1.3)),
+    support_surface(c(-0.248, 0.501, 0), c(0, 0, 1), 0.3),
+    support_rod(c(-0.3, -0.9, 1.4), c(-0.506, 1.15, -0.00267))
+  ))
+  limits <- load_factors(x)
+  expect_identical(c(limits$lowest_factor, limits$highest_factor), c(0, 0))
+  expect_identical(c(limits$below, limits$above), c("slides", "slides"))
+})
+
+test_that("a limit has its verdict where the search has none next to it", {
+  x <- static_equilibrium(
+    forces(
+      load_force(c(10, -7, 11), c(-0.82, -1.03, -0.89), name = "up"),
+      load_force(c(5, -6, -10), c(-1, 0.16, 0.48), name = "down")
+    ), list(
+      support_surface(c(-0.58, -1, -0.43), c(0, 0, 1), 1),
+      support_surface(c(-0.69, 0.07, 0), c(0, 0, 1), 0.5),
+      support_surface(c(-0.9, 0.3, -0.7), c(-0.5, 0.2, -0.4), 0.3)
+    )
+  )
+  limits <- load_factors(x)
+  expect_identical(limits$below, c("slides", "slides"))
+  expect_identical(limits$above, c("slides", NA))
+  # Both loads count by their ratio alone.
+  expect_equal(limits$lowest_factor[2] * limits$highest_factor[1], 1, tolerance = 1e-6)
+})

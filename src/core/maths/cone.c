@@ -15,8 +15,9 @@ static const double rough = 1e6;
  * Jacobian makes y grow slowly. */
 static const double beyond = 1e13, late = 1e8;
 
-/* Max residual of an equation that `blur` may allow, relative to |c|. */
-static const double max_blur = 1e-9;
+/* Max residual of an equation that `blur` may allow, relative to |c|, and the residual that each may
+ * have: without it an equation whose terms are all 0 at the solution would never hold. */
+static const double max_blur = 1e-9, min_slack = 0x1p-70;
 
 static rot_dd zero(void) { return (rot_dd){0.0, 0.0}; }
 
@@ -154,7 +155,8 @@ static void evaluate(const rot_cone *cone, state *s) {
       gap = rot_dd_add(gap, rot_dd_mul(cone->b[j * m + i], s->x[j]));
       blur += cone->blur[j * m + i] * fabs(s->x[j].hi);
     }
-    const double allowed = cone->slack[i] + fmin(blur, max_blur * load);
+    const double slack = fmax(cone->slack[i], min_slack * load);
+    const double allowed = slack + fmin(blur, max_blur * load);
     s->gap[i] = gap;
     s->size = hypot(s->size, gap.hi);
     if (fabs(gap.hi) > 0.0) s->excess = fmax(s->excess, fabs(gap.hi) / allowed);

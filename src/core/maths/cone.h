@@ -36,8 +36,9 @@ typedef struct rot_cone {
   const rot_cone_part *part;
   const rot_dd *b; /* m x k, by columns; well scaled: lengths of the rows near 1 */
   const rot_dd *c; /* m */
-  /* An equation holds if its residual is at most slack + min(sum blur |x|, 1e-9 |c|). Without the
-   * second limit the rounding of an x of 1e10 |c| would hide an infeasible equation. */
+  /* An equation holds if its residual is at most max(slack, 2^-70 |c|) + min(sum blur |x|, 1e-9
+   * |c|). Without the last limit the rounding of an x of 1e10 |c| would hide an infeasible
+   * equation. */
   const double *slack, *blur;
 } rot_cone;
 

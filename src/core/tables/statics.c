@@ -1049,7 +1049,8 @@ static rot_status solve_in_units(const equations *eq, const rot_structure *s, ro
   }
   rest->projected = 1;
   const rot_status pushed = push_only(eq, s, x, determined, error);
-  for (size_t j = 0; j < eq->k; j++) plain[j] = x[j].hi;
+  for (size_t j = 0; j < eq->k; j++) /* exact ones: the search ends with a residual */
+    if (!determined[j] || error[j] > 0.0) plain[j] = x[j].hi;
   return pushed;
 }
 
@@ -1175,9 +1176,9 @@ static rot_status factors_by_search(const equations *eq, const rot_structure *s,
   return status;
 }
 
-/* 1 if the program's limits agree with the result for a factor of 1. */
+/* 1 if the program's limits agree with the result for a factor of 1. NaN may mean that it stopped. */
 static int limits_agree(const double limits[2], int rests) {
-  if (isnan(limits[0]) != isnan(limits[1])) return 0;
+  if (isnan(limits[0]) || isnan(limits[1])) return 0;
   return (limits[0] <= 1.0 && limits[1] >= 1.0) == (rests != 0) && !(limits[0] > limits[1]);
 }
 
