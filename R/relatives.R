@@ -154,12 +154,19 @@ atwood_machine <- function(mass_1_kg, mass_2_kg, pulley, bearing_torque_n_m = 0,
   pull <- (x$mass_1_kg - x$mass_2_kg) * x$gravity_m_per_s2
   held <- x$bearing_torque_n_m / x$radius_m
   net <- ifelse(abs(pull) <= held, 0, pull - sign(pull) * held)
-  a <- net / (x$mass_1_kg + x$mass_2_kg + x$moment_of_inertia_kg_m2 / x$radius_m^2)
+  rim <- x$moment_of_inertia_kg_m2 / x$radius_m / x$radius_m
+  total <- x$mass_1_kg + x$mass_2_kg + rim
+  # m (g - a) would cancel where the heavier one falls almost freely.
+  tension <- function(own, other, held) {
+    weight <- x$gravity_m_per_s2
+    own * ifelse(net == 0, weight, ((2 * other + rim) * weight + held) / total)
+  }
   new_table(list(
-    acceleration_m_per_s2 = a, tension_1_n = x$mass_1_kg * (x$gravity_m_per_s2 - a),
-    tension_2_n = x$mass_2_kg * (x$gravity_m_per_s2 + a),
+    acceleration_m_per_s2 = net / total,
+    tension_1_n = tension(x$mass_1_kg, x$mass_2_kg, sign(net) * held),
+    tension_2_n = tension(x$mass_2_kg, x$mass_1_kg, -sign(net) * held),
     motion = ifelse(net > 0, "1 goes down", ifelse(net < 0, "2 goes down", "stays"))
-  ), nrow = length(a))
+  ), nrow = length(net))
 }
 
 #' @rdname relatives

@@ -90,6 +90,18 @@ test_that("Atwood's machine, with the pulley's inertia and its bearing", {
   )
 })
 
+test_that("a string that hardly holds the heavier mass has all digits of its tension", {
+  # m1 (2 m2 + I/r^2) g/(m1 + m2 + I/r^2), where m1 (g - a) is 0.
+  x <- atwood_machine(c(1, 1e-20), c(1e-20, 1), body_tensor(1, 1e-18 * diag(3)), radius_m = 1)
+  expect_within(x$tension_1_n[1], 1.02e-18 * g, 1e-14)
+  expect_within(x$tension_2_n[2], 1.02e-18 * g, 1e-14)
+  expect_within(x$tension_2_n[1], 2e-20 * g, 1e-14)
+  # With a bearing that resists, whichever is the heavier.
+  x <- atwood_machine(c(1, 1e-9), c(1e-9, 1), body_disk(2e-9, 0.1), 1e-10)
+  expect_within(x$tension_1_n[1], (3e-9 * g + 1e-9) / (1 + 2e-9), 1e-14)
+  expect_within(x$tension_2_n[2], x$tension_1_n[1], 1e-14)
+})
+
 test_that("a falling rod: rates, hinge, tip, and where a chimney breaks", {
   x <- falling_rod(body_rod(1000, 20), c(0, 30, 90), start_angle_deg = 0)
   drop <- 1 - c(1, sqrt(0.75), 0)
