@@ -25,7 +25,8 @@
 #' difference of a loaded and an empty platform has its mass, radii and wires counted once.
 #'
 #' @param swing A period in s (a number, or [measured()]), a [motion_record()], or what
-#'   [fit_swing()] returned.
+#'   [fit_swing()] returned. Of a body on wires whose amplitude shows, each swing counts at its
+#'   own.
 #' @param stiffness_n_m_per_rad Torsional stiffness; of a rod \eqn{\pi d^4 G / (32 l)}{pi d^4 G/(32
 #'   l)}.
 #' @param mass_kg Mass of all that swings.
@@ -183,14 +184,21 @@ filar_inertia <- function(swing, mass_kg, length_m, height_m, upper, lower, ampl
   square <- function(wire, upper, lower) {
     if (arg == "height_m") wire^2 else wire^2 - (upper - lower)^2
   }
+  high <- max(motion$amplitude, motion$swings$amplitude_rad)
   minimum <- square(wire$value, upper$value, lower$value) -
-    4 * upper$value * lower$value * sin(motion$amplitude / 2)^2
+    4 * upper$value * lower$value * sin(high / 2)^2
   if (minimum <= 0) {
     abort_rotdyn(c(
       "The wires do not reach from the upper to the lower circle.",
       x = "Length {format(wire)} m, radii {format(upper)} and {format(lower)} m, amplitude
-           {format(motion$amplitude, digits = 3)} rad."
+           {format(high, digits = 3)} rad."
     ), "value", call)
+  }
+  if (!is.null(motion$swings)) {
+    motion$square <- filar_square(
+      motion, inputs$mass_kg$value, square(wire$value, upper$value, lower$value), upper$value,
+      lower$value, inputs$gravity_m_per_s2$value, call
+    )
   }
   solve <- function(omega_square, mass_kg, wire, upper, lower, gravity_m_per_s2) {
     # Wires that are too short within their uncertainty give NaN, which the budget reports.
@@ -202,12 +210,30 @@ filar_inertia <- function(swing, mass_kg, length_m, height_m, upper, lower, ampl
   out <- inertia_result(motion, stats::setNames(inputs, c(
     "mass_kg", "wire", "upper", "lower", "gravity_m_per_s2"
   )), method, solve, call, labels = c(wire = arg))
-  if (!(out$value > 0)) {
-    abort_rotdyn(c(
-      "The moment of inertia is below 0.", i = "The period is too short for these sizes."
-    ), "value", call)
-  }
+  if (!(out$value > 0)) abort_short_period(call)
   out
+}
+
+abort_short_period <- function(call) {
+  abort_rotdyn(c(
+    "The moment of inertia is below 0.", i = "The period is too short for these sizes."
+  ), "value", call)
+}
+
+# The square of the angular frequency at motion$amplitude, from the periods of swings of other
+# amplitudes: each has a moment of inertia, and that a period at this amplitude.
+filar_square <- function(motion, mass, square, upper, lower, gravity, call) {
+  swings <- motion$swings
+  inertia <- filar_solve(
+    swings$period_s, mass, square, upper, lower, swings$amplitude_rad, gravity
+  )
+  sound <- which(inertia > 0)
+  if (!length(sound)) abort_short_period(call)
+  swings <- swings[sound, ]
+  swings$period0_s <- filar_period(
+    inertia[sound], mass, square, upper, lower, motion$amplitude, gravity, 4096L
+  )
+  (2 * pi / period_of_swings(swings, motion$damping))^2
 }
 
 # The period of two or three wires by midpoints, which converge geometrically: the integrand is even
@@ -270,14 +296,18 @@ filar_root <- function(period, mass, square, upper, lower, amplitude, gravity, n
 # ---- what swings --------------------------------------------------------------------------------
 
 # The square of the angular frequency without damping, of small swings under gravity, as a measured
-# number; the amplitude that remains to be corrected for.
+# number; the amplitude that remains to be corrected for. `swings`: those whose periods are to be
+# reduced to it, or NULL.
 swing_inputs <- function(swing, restoring, amplitude_rad, decay_per_s, call) {
   law <- if (restoring == "gravity") "gravity" else "spring"
   amplitude <- check_number(amplitude_rad, "amplitude_rad", "rad", call, lower = 0, upper = 3.1)
   decay <- as_measured(decay_per_s, "decay_per_s", "1/s", call, lower = 0)
   notes <- character()
+  swings <- damping <- NULL
   if (inherits(swing, "rot_record")) {
-    swing <- swing_fit_of(swing, "swing", law, swing_losses, c(-Inf, Inf), call)
+    # Of wires several losses would stand for what makes them no spring.
+    losses <- if (restoring == "filar") "viscous" else swing_losses
+    swing <- swing_fit_of(swing, "swing", law, losses, c(-Inf, Inf), call)
   }
   if (inherits(swing, "rot_swing_fit")) {
     check_swing_fit(swing, "swing", call)
@@ -293,6 +323,9 @@ swing_inputs <- function(swing, restoring, amplitude_rad, decay_per_s, call) {
     amplitude <- sqrt(mean(used$amplitude_rad^2))
     square <- omega^2
     correct <- restoring == "filar"
+    # Wires are no spring: where that shows, the swings have each a period of their own.
+    if (correct && !swing$law_complete) swings <- used
+    damping <- swing$damping
   } else {
     period <- as_measured(swing, "swing", "s", call, 0, open = TRUE)
     if (is_unnamed(period)) period$parts$name <- "period_s"
@@ -304,7 +337,8 @@ swing_inputs <- function(swing, restoring, amplitude_rad, decay_per_s, call) {
     correct <- restoring == "filar"
   }
   list(
-    square = square, amplitude = if (correct) amplitude else 0, shown = amplitude, notes = notes
+    square = square, amplitude = if (correct) amplitude else 0, shown = amplitude, notes = notes,
+    swings = swings, damping = damping
   )
 }
 

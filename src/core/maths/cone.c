@@ -15,8 +15,8 @@ static const double rough = 1e6;
  * Jacobian makes y grow slowly. */
 static const double beyond = 1e13, late = 1e8;
 
-/* Max residual of an equation that `blur` may allow, relative to |c|, and the residual that each may
- * have: without it an equation whose terms are all 0 at the solution would never hold. */
+/* Max residual of an equation that `blur` may allow, relative to |c|, and the residual that every
+ * equation may have: one whose terms are all 0 at the solution would otherwise never hold. */
 static const double max_blur = 1e-9, min_slack = 0x1p-70;
 
 static rot_dd zero(void) { return (rot_dd){0.0, 0.0}; }

@@ -1176,7 +1176,7 @@ static rot_status factors_by_search(const equations *eq, const rot_structure *s,
   return status;
 }
 
-/* 1 if the program's limits agree with the result for a factor of 1. NaN may mean that it stopped. */
+/* 1 if the program's limits agree with the result for a factor of 1. NaN: it may have stopped. */
 static int limits_agree(const double limits[2], int rests) {
   if (isnan(limits[0]) || isnan(limits[1])) return 0;
   return (limits[0] <= 1.0 && limits[1] >= 1.0) == (rests != 0) && !(limits[0] > limits[1]);
