@@ -38,7 +38,7 @@
 #' @param resolution For torque laws, forces and clutches that are R functions: the width of the
 #'   narrowest change in time, in an angle or in a rate that is sure to be found, as a part of the
 #'   range of it that the motion visits, one number from 1e-5 to 1. The function is called along the
-#'   motion that was found, \eqn{1.28/resolution}{1.28/resolution} times or some more where
+#'   motion that was found, \eqn{1.43/resolution}{1.43/resolution} times or some more where
 #'   the steps themselves did not call it; where it is not what they believed, they are chosen anew.
 #'   Narrower changes may be missed, in the motion and in its audit: the head of the result says so.
 #'   1: only the steps call the function.
