@@ -1024,8 +1024,8 @@ static void check_far(void) {
   ROT_CHECK_REL(column[1][1], 1e150, 1e-14);
 }
 
-/* A cosine of 10^4 rad/s from 0.1 s to 10^17 s: what the difference of the times leaves out turns it
- * by 1000 rad. mpmath, 80 digits. */
+/* A cosine of 10^4 rad/s from 0.1 s to 10^17 s: what the difference of the times leaves out turns
+ * it by 1000 rad. mpmath, 80 digits. */
 static void check_low_part_of_time(void) {
   const double x[] = {3.0, 1e4, 0.4}, t[] = {0x1p50, 1e15, 1e17};
   const double omega[] = {-0.00058792574686055647958, -0.00059414516701046322923,
