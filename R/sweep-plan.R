@@ -28,7 +28,8 @@
 #' @param derive A named list of one-sided formulas of inputs: `list("body$mass_kg" = ~ density *
 #'   volume)`. See [design_rows()] for what a formula may contain.
 #' @param build A function of a row (a list of the design's inputs by their names) that returns a
-#'   scene, instead of `scene`. It uses nothing but its argument, `given` and functions of packages.
+#'   scene, instead of `scene`; all of one kind. It uses nothing but its argument, `given` and
+#'   functions of packages.
 #' @param given A named list of what else `build` uses.
 #' @param accuracy As in [trajectory()]: one number.
 #' @param model A model of [models()] for all rows; NULL: chosen.
@@ -190,16 +191,19 @@ kept_with <- function(name, env) {
 # The names on the left of assignments, of loops, and the arguments of functions inside.
 assigned_names <- function(x) {
   if (!is.call(x)) return(if (is.pairlist(x)) names(x))
-  head <- as.character(x[[1]])[1]
+  head <- function_called(x)
   own <- if (head %in% c("<-", "=", "for") && is.name(x[[2]])) as.character(x[[2]])
   if (head == "function") own <- names(x[[2]])
-  c(own, unlist(lapply(as.list(x)[-1], assigned_names)))
+  c(own, unlist(lapply(as.list(x), assigned_names)))
 }
+
+# The name of the function that a call calls; "" of `stats::sd(x)`, whose function is a call, too.
+function_called <- function(x) if (is.name(x[[1]])) as.character(x[[1]]) else ""
 
 # What stands behind `$` and `::` is no variable.
 quoted_names <- function(x) {
   if (!is.call(x)) return(NULL)
-  head <- as.character(x[[1]])[1]
+  head <- function_called(x)
   if (head %in% c("$", "@", "::", ":::")) {
     return(c(as.character(x[[3]]), if (head %in% c("::", ":::")) as.character(x[[2]]),
              quoted_names(x[[2]])))

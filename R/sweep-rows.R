@@ -58,6 +58,14 @@ scene_of_row <- function(plan, i, call, row = NULL) {
         x = "Of row {whole_words(i)} it returned {describe_value(scene)}."
       ), "type", call, row = i)
     }
+    kind <- constraint_of(scene)$id
+    if (!is.null(plan$constraint) && kind != plan$constraint) {
+      abort_rotdyn(c(
+        "{.arg build} must return scenes of one kind.",
+        x = "The first one is of the kind {.val {plan$constraint}}, that of row {whole_words(i)} of
+             {.val {kind}}."
+      ), "type", call, row = i)
+    }
     return(scene)
   }
   paths <- setdiff(plan$inputs, if (!"time_s" %in% plan$known$path) "time_s")

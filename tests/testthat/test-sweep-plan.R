@@ -240,3 +240,20 @@ test_that("blocks are small where rows are integrated", {
   wheel <- scene_axle(1, 1)
   expect_identical(sweep_plan(wheel, 1, design, model = "axle_linear")$block_rows, 2^16)
 })
+
+test_that("a function of a row calls those of packages by their names, and its own", {
+  plan <- sweep_plan(
+    time_s = 1, design = design_grid(k = c(4, 9)),
+    build = function(row) rotdyn::scene_axle(1, theta0_rad = (function(y) base::sqrt(y))(row$k))
+  )
+  expect_identical(sweep_run(plan)$final_theta_rad, c(2, 3))
+})
+
+test_that("the scenes of a function are of one kind", {
+  plan <- function() {
+    sweep_plan(time_s = 1, design = design_grid(k = 1:2), build = function(row) {
+      if (row$k > 1) scene_free(1:3 / 1, c(1, 0, 0)) else scene_axle(1)
+    })
+  }
+  expect_error(plan(), "of row 2", class = "rotdyn_error_type")
+})
