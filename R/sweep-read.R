@@ -156,6 +156,9 @@ sweep_digest <- function(folder, ...) {
   }
   whole <- attr(folder, "sweep", exact = TRUE)$whole
   if (is.null(whole)) abort_form("", "folder", "sweep", call)
+  # The number of rows kept is not of the rows.
+  kept <- whole$sums$quantity == -1L & whole$sums$kind == 3L
+  whole$sums$value[kept] <- whole$rows
   hash_text(paste(columns_hash(whole$sums), checksum_text(whole$checksum)))
 }
 

@@ -62,7 +62,7 @@ summary.rot_sweep <- function(object, probs = c(0.05, 0.5, 0.95), ...) {
   figures <- sweep_figures(object, probs, call)
   column <- as.data.frame(figures$column)
   value <- middle_of(figures$low, figures$high)
-  names <- paste0("p", format_each(100 * probs))
+  names <- paste0("p", format_each(100 * probs), recycle0 = TRUE)
   out <- c(
     list(output = sweep$plan$outputs, unit = plain_units(sweep$plan$output_unit)),
     column[c("mean", "mean_error", "sd", "min", "min_row", "max", "max_row")],

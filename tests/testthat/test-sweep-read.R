@@ -195,3 +195,13 @@ test_that("parts have the doubles of memory to the last bit, also -0, NaN, Inf a
   }
   expect_identical(nrow(sweep_check(folder)), 0L)
 })
+
+test_that("a digest is of all rows, kept or not", {
+  digest <- function(keep) {
+    sweep_digest(sweep_run(sweep_plan(
+      scene_axle(1, omega0_rad_per_s = 1), 1, design_grid(body = 1:3), keep = keep
+    )))
+  }
+  expect_identical(digest("summary"), digest("rows"))
+  expect_identical(digest(~ body > 1), digest("rows"))
+})

@@ -121,3 +121,9 @@ test_that("two motions differ by a share of what their errors allow together", {
   moved$theta_rad[2] <- moved$theta_rad[2] + 3 * errors(stepped)[["theta"]]
   expect_equal(difference_of(moved, stepped), 1.5, tolerance = 1e-6)
 })
+
+test_that("a summary may have no quantiles", {
+  sweep <- sweep_run(sweep_plan(scene_axle(1, omega0_rad_per_s = 1), 1, design_grid(body = 1:3)))
+  without <- summary(sweep, probs = double())
+  expect_identical(names(without), setdiff(names(summary(sweep)), c("p5", "p50", "p95")))
+})
