@@ -162,3 +162,13 @@ test_that("sum() is that of `+`; other summaries are refused", {
     expect_error(verb(a, b), "not defined", class = "rotdyn_error_type")
   }
 })
+
+test_that("a logarithm has the base that is given, and |x| no uncertainty at 0", {
+  x <- measured(100, 1)
+  expect_identical(log(x, 10)$value, 2)
+  expect_equal(log(x, base = 10)$u, 0.01 / log(10), tolerance = 1e-14)
+  expect_error(log(x, 0), class = "rotdyn_error_value")
+  expect_error(log(x, 1), class = "rotdyn_error_value")
+  expect_error(abs(measured(0, 1)), class = "rotdyn_error_value")
+  expect_identical(abs(measured(-2, 1))$value, 2)
+})
