@@ -49,7 +49,8 @@ fit_records <- function(records, scene, observed, call) {
     }
     if (any(again)) {
       warn_rotdyn(
-        "{sum(again)} row{?s} of record {i} repeat{?s/} another exactly and {?is/are} left out.",
+        "{sum(again)} row{?s} of record {i} {cli::qty(sum(again))}repeat{?s/} another exactly
+         and {?is/are} left out.",
         "fit", call
       )
     }

@@ -300,7 +300,8 @@ predict.rot_fit <- function(object, time_s, ..., record = 1) {
   call <- check_no_dots(...)
   check_supplied("time_s", call)
   scene <- as_scene.rot_fit(object, record = record)
-  motion_at(scene, check_times(time_s, call))
+  time_s <- check_column(time_s, "time_s", "s", call)
+  predict(trajectory(scene, range(scene$start_s %||% 0, time_s[is.finite(time_s)])), time_s)
 }
 
 #' @rdname fit_verbs
@@ -382,11 +383,15 @@ profile.rot_fit <- function(fitted, which = NULL, ..., points = 5) {
     t <- seq(-2.5, 2.5, length.out = 2 * points + 1)
     step <- t * fitted$standard_error[k]
     value <- if (p$log[k]) fit$found$x[k] * exp(step / fit$found$x[k]) else fit$found$x[k] + step
+    # It ends at a limit.
+    limit <- if (p$log[k]) fit$found$x[k] * log(c(p$low[k], p$high[k]) / fit$found$x[k]) else
+      c(p$low[k], p$high[k]) - fit$found$x[k]
+    t <- pmin(pmax(t, limit[1] / fitted$standard_error[k]), limit[2] / fitted$standard_error[k])
     value <- pmin(pmax(value, p$low[k]), p$high[k])
     squares <- vapply(value, function(x) fixed_squares(fit, k, x), double(1))
     # One of them is the fit itself.
     data.frame(unknown = p$name[k], value = value, linear = t,
-               rooted = sign(t) * sqrt(pmax(squares - squares[points + 1], 0)))
+               rooted = sign(t) * sqrt(pmax(squares - squares[points + 1], 0)))[!duplicated(t), ]
   })
   table_from(do.call(rbind, rows))
 }

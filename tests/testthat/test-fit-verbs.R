@@ -84,3 +84,36 @@ test_that("the summary of each fit is its row of glance()", {
     expect_error(summary(fit, 1), class = "rotdyn_error_argument")
   }
 })
+
+test_that("a fit predicts at times in any order, and ends a profile at a limit", {
+  wheel <- scene_axle(0.05, resistance = resistance(0.02), omega0_rad_per_s = 20)
+  set.seed(1)
+  record <- trajectory(wheel, 0:100 / 20)[c("time_s", "theta_rad")]
+  record$theta_rad <- record$theta_rad + rnorm(101, 0, 0.02)
+  unknown <- c("resistance$viscous_n_m_s", "omega0_rad_per_s")
+  free <- fit_scene(wheel, record, unknown)
+  limit <- coef(free)[[2]] + free$standard_error[2]
+  start <- scene_axle(0.05, resistance = resistance(0.02), omega0_rad_per_s = 19.9)
+  fit <- fit_scene(start, record, unknown, upper = c(omega0_rad_per_s = limit))
+  at <- predict(fit, c(4, NA, 1, 1))
+  expect_identical(at$time_s, c(4, NA, 1, 1))
+  # omega0 / k (1 - exp(-k t)), k = viscous / inertia
+  k <- coef(fit)[[1]] / 0.05
+  expect_equal(at$theta_rad[c(1, 3)], coef(fit)[[2]] / k * (1 - exp(-k * c(4, 1))),
+               tolerance = 1e-8)
+  shape <- profile(fit, "omega0_rad_per_s")
+  expect_false(anyDuplicated(shape$value) > 0)
+  expect_equal(shape$linear, (shape$value - coef(fit)[[2]]) / fit$standard_error[2],
+               tolerance = 1e-6)
+  expect_identical(max(shape$value), limit)
+})
+
+test_that("rows that repeat others are counted in the plural", {
+  wheel <- scene_axle(0.05, resistance = resistance(0.02), omega0_rad_per_s = 20)
+  record <- trajectory(wheel, 0:50 / 10)[c("time_s", "theta_rad")]
+  record$theta_rad <- record$theta_rad + sin(7 * 1:51) / 100
+  expect_warning(
+    fit_scene(wheel, record[c(1:51, 1:3), ], "resistance$viscous_n_m_s"),
+    "3 rows of record 1 repeat another exactly\\s+and are left out", class = "rotdyn_warning_fit"
+  )
+})
