@@ -711,3 +711,34 @@ test_that("lossy meshes lose power in the direction in which it flows, in rows o
       tolerance = 1e-11)
   }
 })
+
+test_that("a stop shorter than the resolution of its time keeps the momentum", {
+  for (omega in c(1, 1e-6, 1e-12)) {
+    motion <- trajectory(
+      scene_drive(1, brake = list(brake(2, from_s = 1)), omega0_rad_per_s = omega), 0:2
+    )
+    expect_identical(audit(motion)$verdict, rep("balanced", 2))
+    expect_equal(generics::augment(motion)$damping_impulse_n_m_s[3], -omega, tolerance = 1e-12)
+  }
+})
+
+test_that("at rest the angle has the error that it came to rest with", {
+  scene <- scene_drive(1, brake = list(brake(2)), omega0_rad_per_s = 1)
+  for (end_s in c(1, 1e6, 1e9)) {
+    motion <- trajectory(scene, c(0, end_s))
+    expect_equal(motion$theta_rad[2], 0.25, tolerance = 1e-14)
+    expect_lt(glance(motion)$error, 1e-14)
+  }
+})
+
+test_that("gears with a loss reverse as the train of an axle does", {
+  axle <- scene_gears(c(0.1, 2), 5, efficiency = 0.8, torque = c(2, 0), omega0_rad_per_s = -6)
+  drive <- scene_drive(
+    c(0.1, 2), coupling_gear(5, efficiency = 0.8), torque = c(2, 0), omega0_rad_per_s = -6
+  )
+  want <- motion_events(trajectory(axle, c(0, 3)))
+  got <- motion_events(trajectory(drive, c(0, 3)))
+  expect_identical(want$event, "reverse")
+  expect_identical(got$event, want$event)
+  expect_equal(got$time_s, want$time_s, tolerance = 1e-12)
+})

@@ -217,11 +217,16 @@ static double zero_near(sight *s, double x) {
 /* Of the span: a jump at the time 0, where a run begins, has no place relative to the time. */
 #define MIN_TIME 1e-48
 
+/* Resolution of the time after a step x. */
+static double resolved_at(const rot_ode_search *in, double x) {
+  const double span = fabs(in->clock->end - in->law->p->start_s);
+  return fmax(2.0 * ROT_EPS * fmax(fabs(in->clock->t), fabs(x)), MIN_TIME * span);
+}
+
 /* Positive at the start and not so after hi: re-step to the zero by Newton, kept between. *hi
  * becomes that step, trial the state there. */
 static rot_status find_zero(sight *s, double *hi) {
   rot_ode_search *in = s->in;
-  const double span = fabs(in->clock->end - in->law->p->start_s);
   double lo = 0.0, high = *hi, a = 0.0, b = 1.0;
   for (int k = 0; k < 40; k++) { /* first guess: the zero of the cubic, whose 1 is the whole step */
     const double mid = 0.5 * (a + b);
@@ -236,8 +241,7 @@ static rot_status find_zero(sight *s, double *hi) {
     const rot_status status = attempt_part(s, x);
     if (status != ROT_OK) return status;
     const double next = is_function(&s->at) ? x - s->value / s->rise : zero_near(s, x);
-    double resolved = 2.0 * ROT_EPS * fmax(fabs(in->clock->t), fabs(x));
-    resolved = fmax(resolved, MIN_TIME * span);
+    double resolved = resolved_at(in, x);
     if (s->at.kink) resolved = fmax(resolved, KINK_RESOLVED * in->law->p->accuracy * fabs(*hi));
     if (s->value > 0.0) {
       lo = x;
@@ -262,7 +266,15 @@ static rot_status find_zero(sight *s, double *hi) {
     if (status != ROT_OK) return status;
   }
   *hi = x;
-  if (!is_function(&s->at) && !s->at.kink) in->step->trial[s->at.event.component] = s->at.level;
+  if (is_function(&s->at) || s->at.kink) return ROT_OK;
+  /* The remainder, below the resolution of the time: what is integrated with it, such as impulses,
+   * changes as the component does. */
+  const double slope = in->step->trial_slope[s->at.event.component];
+  const double left = (s->at.level - in->step->trial[s->at.event.component]) / slope;
+  for (size_t i = 0; i < in->law->p->dim && fabs(left) <= resolved_at(in, x); i++) {
+    in->step->trial[i] += in->step->trial_slope[i] * left;
+  }
+  in->step->trial[s->at.event.component] = s->at.level;
   return ROT_OK;
 }
 

@@ -126,10 +126,20 @@ static rot_status resolve_transient(rot_ode_stepping *run) {
   return ROT_OK;
 }
 
+/* A speed that an event left at 0, as where a contact sticks, has no error there. */
+static void hold_what_rests(rot_ode_stepping *run) {
+  for (size_t k = 0; k < run->p->n_events; k++) {
+    const size_t i = run->p->events[k].component;
+    if (run->p->events[k].g || run->state.y[i] != 0.0 || run->state.slope[i] != 0.0) continue;
+    rot_ode_propagation_hold(run->propagation, i);
+  }
+}
+
 static rot_status begin_segment(rot_ode_stepping *run, int was, size_t fired, double at) {
   rot_status status = choose_mode(run, was);
   rot_ode_propagation_new_segment(run->propagation);
   if (status == ROT_OK) status = rot_ode_know_slope(&run->law, &run->state);
+  if (status == ROT_OK) hold_what_rests(run);
   if (status == ROT_OK) rot_ode_arm(&run->search, fired, at);
   if (status == ROT_OK) status = resolve_transient(run);
   rot_ode_rows_begin(&run->rows);

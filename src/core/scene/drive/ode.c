@@ -119,15 +119,17 @@ static int place_of(const motion *m, size_t k) {
 }
 
 /* (modes before, after) => events. Changes from open to slipping, or without capacity, are no
- * events. */
+ * events; a lossy gear resists, though it has none. */
 static rot_status log_changes(motion *m, double t, const signed char before[],
                               const signed char after[]) {
   rot_status status = ROT_OK;
   for (size_t k = 0; k < m->s.n_contacts && status == ROT_OK; k++) {
     const int sticks = after[k] == ROT_DRIVE_STICKS, stuck = before[k] == ROT_DRIVE_STICKS;
-    if (before[k] == after[k] || (!sticks && m->s.capacity[k] == 0.0 && !stuck)) continue;
-    if (before[k] == ROT_DRIVE_OPEN && !sticks) continue;
     const int clutch = m->s.contact[k].coupling != SIZE_MAX;
+    const int resists =
+        m->s.capacity[k] > 0.0 || (!clutch && m->s.unit[m->s.contact[k].unit].lossy);
+    if (before[k] == after[k] || (!sticks && !resists && !stuck)) continue;
+    if (before[k] == ROT_DRIVE_OPEN && !sticks) continue;
     const rot_event event = sticks  ? (clutch ? ROT_EVENT_LOCK : ROT_EVENT_STICK)
                             : stuck ? ROT_EVENT_SLIP
                                     : ROT_EVENT_REVERSE;
