@@ -659,3 +659,20 @@ test_that("a row that is there twice counts once", {
   swing$time_s[51] <- swing$time_s[50] + 1e-9
   expect_silent(fit_scene(pendulum, swing, "body$length_m"))
 })
+
+test_that("a search that strays to motions of millions of steps comes back", {
+  swing <- function(theta, viscous, distance) {
+    scene_pendulum(
+      body_rod(0.3, 0.5), distance_m = distance, theta0_rad = theta,
+      resistance = resistance(viscous)
+    )
+  }
+  set.seed(1)
+  record <- trajectory(swing(1, 0.003, 0.25), seq(0, 8, 0.04))[c("time_s", "theta_rad")]
+  record$theta_rad <- record$theta_rad + rnorm(201, 0, 0.01)
+  fit <- fit_scene(
+    swing(-0.718, 0.018, 1.243), record,
+    c("theta0_rad", "resistance$viscous_n_m_s", "distance_m")
+  )
+  expect_true(all(abs(coef(fit) - c(1, 0.003, 0.25)) < 4 * sqrt(diag(vcov(fit)))))
+})

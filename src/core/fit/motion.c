@@ -29,6 +29,7 @@ struct rot_fit_motion {
   double *slope;  /* by each input and the shift, at the base */
   int *has_slope;
   size_t runs;
+  size_t steps;     /* of the first run that took any */
   rot_status ended; /* what ends the fit: ROT_EUNWIND, ROT_ENOMEM; nothing runs after it */
   rot_store store;
 };
@@ -106,13 +107,24 @@ static size_t times_of(rot_fit_motion *m, const void *scene, double shift_s) {
   return first;
 }
 
+/* Steps that a run may take, of so many times those of the first one: where the search strays, as to
+ * a negative resistance, a motion can take millions. */
+#define STRAYS    30
+#define MIN_STEPS 20000
+
+static size_t max_steps(const rot_fit_motion *m) {
+  const double given = fmin(m->plan->max_steps, 1e15) + (double)m->plan->n;
+  const double known = (double)(STRAYS * m->steps + MIN_STEPS + m->plan->n);
+  return (size_t)(m->steps ? fmin(given, known) : given);
+}
+
 static rot_status run_scene(rot_fit_motion *m, const void *scene, double shift_s, rows *to) {
   const rot_fit_motion_plan *plan = m->plan;
   const size_t first = times_of(m, scene, shift_s);
   const rot_task task = {.n = plan->n + first,
                          .time_s = m->time_s,
                          .accuracy = plan->accuracy,
-                         .max_steps = (size_t)fmin(plan->max_steps, 1e15) + plan->n};
+                         .max_steps = max_steps(m)};
   const rot_rows want = {.column = m->column, .whole = 1};
   rot_outcome o;
   m->runs++;
@@ -124,6 +136,7 @@ static rot_status run_scene(rot_fit_motion *m, const void *scene, double shift_s
   } else {
     status = o.info.status;
     m->model = o.model;
+    if (status == ROT_OK && !m->steps) m->steps = o.info.steps;
     to->error = o.error;
   }
   for (size_t i = 0, k = 0; i < plan->n && status == ROT_OK; i++) {
