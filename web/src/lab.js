@@ -39,10 +39,15 @@ const panelOf = (name) => {
 class Lab extends HTMLElement {
   static observedAttributes = ["scene", "settings", "lang"];
 
-  attributeChangedCallback() { if (this.root) this.open(); }
+  // Another language leaves what was set, and the time.
+  attributeChangedCallback(name) {
+    if (!this.root) return;
+    const { tree, end, t, data } = this;
+    this.open(name === "lang" && this.run ? { tree, end, t, data } : {});
+  }
 
   connectedCallback() {
-    if (this.root) return;
+    if (this.root) return this.watch.observe(this.box);
     this.root = this.attachShadow({ mode: "open" });
     const style = el("style");
     style.textContent = rotdynParts.css;
@@ -55,11 +60,14 @@ class Lab extends HTMLElement {
     this.open();
   }
 
-  disconnectedCallback() { this.stop(); }
+  disconnectedCallback() {
+    this.stop();
+    clearTimeout(this.timer);
+    this.watch.disconnect();
+  }
 
   // The core, then the first picture. Without the core: what the recording has.
-  async open() {
-    this.stop();
+  async open(now = {}) {
     const turn = this.turn = (this.turn ?? 0) + 1;
     this.words = new Words(this.getAttribute("lang") || this.closest("[lang]")?.lang ||
       document.documentElement.lang || navigator.language);
@@ -84,7 +92,7 @@ class Lab extends HTMLElement {
       }
     }
     if (turn !== this.turn) return;
-    this.build();
+    this.build(now);
     this.dispatchEvent(new CustomEvent("rotdyn-ready", { bubbles: true }));
   }
 
@@ -92,7 +100,9 @@ class Lab extends HTMLElement {
 
   // ---- the parts of the page ----
 
-  build() {
+  // `now`: what was set since, of { tree, end, t, data }.
+  build(now = {}) {
+    this.stop();
     const text = this.getAttribute("scene") ?? "";
     this.refusal = el("p", { class: "refused", role: "status", hidden: true });
     this.tree = this.run = this.text = null;
@@ -108,18 +118,20 @@ class Lab extends HTMLElement {
         this.dispatchEvent(new CustomEvent("rotdyn-refused", { bubbles: true, detail: said }));
         return;
       }
+      this.about = said;
       const start = Number(this.settings.start ?? said.start_s);
       this.start = Number.isFinite(start) ? start : said.start_s;
     } else {
+      this.about = this.recording.said;
       this.start = this.recording.time[0];
     }
-    const end = Number(this.settings.end);
+    const end = Number(now.end ?? this.settings.end);
     this.end = Number.isFinite(end) && end > this.start ? end : this.start + defaults.end;
-    this.tree = tree;
+    this.tree = now.tree ?? tree;
     if (!this.recording) this.controls = this.findControls();
-    this.t = this.start;
+    this.t = now.t ?? this.start;
     this.plots = new Map();
-    this.data = null;
+    this.data = now.data ?? null;
     this.hidden = false;
     const heading = el(this.hasAttribute("page") ? "h2" : "p", { class: "title", id: "title" },
       this.settings.title || this.sceneTitle());
@@ -166,7 +178,7 @@ class Lab extends HTMLElement {
     return plain + item + group;
   }
 
-  vectors() { return inSpace(this.engine.said?.constraint); }
+  vectors() { return inSpace(this.constraint()); }
 
   buildInputs() {
     if (this.recording) return null;
@@ -211,7 +223,7 @@ class Lab extends HTMLElement {
     control.slider = slider;
     control.field = field;
     const set = (value, from) => {
-      if (from !== field) field.value = this.plain(value);
+      field.value = this.plain(value);
       if (from !== slider && Number.isFinite(value)) slider.value = value;
       this.said(control, value);
       this.change(control, value);
@@ -249,9 +261,10 @@ class Lab extends HTMLElement {
         this.wrongInput(this.say("no_end"));
         return;
       }
+      const before = this.end;
       this.end = value;
-      this.t = Math.min(this.t, value);
-      this.solve();
+      if (this.solve()) this.wrongInput("");
+      else this.end = before;
       this.later();
     });
     return el("div", { class: "control" }, el("label", { for: "end" }, this.say("end")),
@@ -265,10 +278,12 @@ class Lab extends HTMLElement {
   }
 
   parse(text) {
-    const plain = text.trim().replace(",", ".").replace("−", "-");
-    if (/^[+]?(inf|infinity|∞)$/i.test(plain)) return Infinity;
-    const value = Number(plain);
-    return plain === "" || Number.isNaN(value) ? null : value;
+    const plain = text.trim().replace(",", ".").replaceAll("−", "-");
+    const limit = /^([-+]?)(inf|infinity|∞)$/i.exec(plain);
+    if (limit) return limit[1] === "-" ? -Infinity : Infinity;
+    // Neither hexadecimal digits nor what exceeds a double.
+    const value = /^[-+.\de]+$/i.test(plain) ? Number(plain) : NaN;
+    return Number.isFinite(value) ? value : null;
   }
 
   // The value of a slider with its unit in words.
@@ -357,9 +372,8 @@ class Lab extends HTMLElement {
       el("p", { class: "now" }));
   }
 
-  constraint() {
-    return this.recording ? this.recording.said.constraint : this.engine.said.constraint;
-  }
+  // Not of the engine, which other labs use, too.
+  constraint() { return this.about.constraint; }
 
   time(i) { return this.run.time[Math.max(0, Math.min(this.run.time.length - 1, i))]; }
 

@@ -27,7 +27,6 @@ function openPage() {
     at("lab-language").replaceChildren(...Object.keys(words).map((code) =>
       el("option", { value: code, selected: code === language, lang: code },
         words[code].language)));
-    return said;
   };
 
   // A lab of a state: { scene: text, title, end, rows, accuracy, ... }.
@@ -40,50 +39,63 @@ function openPage() {
     return lab;
   };
 
+  const settingsOf = (one) =>
+    JSON.stringify({ ...one.settings, title: one.title[language] ?? one.title.en });
+
   const showListed = (id) => {
     const one = scenes.find((scene) => scene.id === id) ?? scenes[0];
-    show({ ...one.settings, title: one.title[language] ?? one.title.en,
-      scene: JSON.stringify(one.scene) }, one.id);
+    show({ ...JSON.parse(settingsOf(one)), scene: JSON.stringify(one.scene) }, one.id);
+  };
+
+  // What is noted, as a function of the words, for another language.
+  let noted = null;
+  const note = (text) => {
+    noted = text;
+    at("note").textContent = text ? text(new Words(language)) : "";
   };
 
   const fallBack = (text) => {
-    at("note").textContent = text;
+    note(text);
     showListed(scenes[0].id);
   };
 
   const open = () => {
-    let said = speak();
-    at("note").textContent = "";
+    note(null);
     const { state, refused } = stateOf(location.hash);
-    if (refused) return fallBack(said.say(refused));
     let own = {};
     try { own = JSON.parse(at("rotdyn-state").textContent) ?? {}; } catch { /* as without one */ }
+    const asked = (state ?? own).lang;
+    if (Object.hasOwn(words, asked ?? "")) language = asked;
+    speak();
+    if (refused) return fallBack((said) => said.say(refused));
     const wanted = state ?? (own.scene || own.recording ? own : null);
     if (!wanted) return showListed(/^#scene=([\w-]+)$/.exec(location.hash)?.[1]);
-    if (wanted.lang && wanted.lang in words) {
-      language = wanted.lang;
-      said = speak();
-    }
     const lab = show(wanted);
     lab.addEventListener("rotdyn-refused", ({ detail }) =>
-      fallBack(said.say("link_refused", { reason: `${detail.input ? `${detail.input}: ` : ""}${
-        said.core(detail.reason)}.` })));
+      fallBack((said) => said.say("link_refused", { reason: `${
+        detail.input ? `${detail.input}: ` : ""}${said.core(detail.reason)}.` })));
   };
 
   at("lab-scene").addEventListener("change", (event) => {
     if (!event.target.value) return;
     history.replaceState(null, "", `#scene=${event.target.value}`);
-    at("note").textContent = "";
+    note(null);
     showListed(event.target.value);
   });
+  // The lab stays, with the numbers that were set.
   at("lab-language").addEventListener("change", (event) => {
+    const id = at("lab-scene").value, lab = main.querySelector("rotdyn-lab");
     language = event.target.value;
     document.documentElement.dataset.language = language;
-    open();
+    speak();
+    at("lab-scene").value = id;
+    note(noted);
+    if (id) lab.setAttribute("settings", settingsOf(scenes.find((scene) => scene.id === id)));
+    lab.setAttribute("lang", language);
   });
   addEventListener("hashchange", open);
-  if (!canCompute()) at("note").textContent = new Words(language).say("no_core");
   open();
+  if (!canCompute()) note((said) => said.say("no_core"));
 }
 
 // The page as a file with a state in it; without one: whether this can be made.

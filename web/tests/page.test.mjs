@@ -257,6 +257,98 @@ test("two languages, decimal comma", { skip }, async () => {
   await page.close();
 });
 
+test("another language leaves what was set; a link's language can be changed", { skip }, async () => {
+  const page = await open("#scene=pendulum");
+  const field = page.getByLabel("angle at the start, rad");
+  await field.fill("1.25");
+  await field.press("Enter");
+  await page.locator("#end").fill("7");
+  await page.locator("#end").press("Enter");
+  const state = () => page.locator("rotdyn-lab").evaluate((lab) => [lab.text, lab.end]);
+  const set = await state();
+  assert.match(set[0], /"theta0_rad":1.25/);
+  await page.getByLabel("Language").selectOption("de");
+  await page.locator(".title", { hasText: "Pendel beliebiger Amplitude" }).waitFor();
+  assert.deepEqual(await state(), set);
+  assert.equal(await page.locator("#lab-scene").inputValue(), "pendulum");
+  await page.getByRole("button", { name: "Neu beginnen" }).press("Enter");
+  assert.match((await state())[0], /"theta0_rad":2.8/);
+  quiet(page);
+  await page.close();
+  const scene = encodeURIComponent('{"scene_axle":{"body":0.5,"torque":1}}');
+  for (const hash of [`#lab=1&lang=de&scene=${scene}`, "#lab=1&lang=de&scene=x"]) {
+    const link = await open(hash);
+    assert.equal(await link.locator("html").getAttribute("lang"), "de");
+    const note = await link.locator("#note").textContent();
+    await link.getByLabel("Sprache").selectOption("en");
+    await link.getByRole("button", { name: "Start again" }).waitFor();
+    assert.equal(await link.locator("html").getAttribute("lang"), "en");
+    const english = await link.locator("#note").textContent();
+    assert.ok(note === "" ? english === "" : /refused/.test(english), english);
+    quiet(link);
+    await link.close();
+  }
+});
+
+test("fields: what is no number, and what was understood", { skip }, async () => {
+  const page = await open("#scene=spin-up");
+  const field = page.getByLabel("radius, disk, m"), end = page.locator("#end");
+  const wrong = () => page.locator("rotdyn-lab").evaluate((lab) =>
+    lab.wrong.hidden ? "" : lab.wrong.textContent);
+  const type = async (into, text) => {
+    await into.fill(text);
+    await into.press("Enter");
+    return [await into.inputValue(), await wrong()];
+  };
+  const no = "radius, disk: this is no number.";
+  for (const text of ["0x10", "1e400", "", "NaN", "1.2.3"]) {
+    assert.deepEqual(await type(field, text), [text, no]);
+  }
+  assert.deepEqual(await type(field, "0,3"), ["0.3", ""]);
+  assert.deepEqual(await type(field, "3e-1"), ["0.3", ""]);
+  assert.match((await type(field, "-Inf"))[1], /must be finite/);
+  assert.match((await type(end, "0"))[1], /must end after it begins/);
+  assert.deepEqual(await type(end, "5"), ["5", ""]);
+  quiet(page);
+  await page.close();
+});
+
+test("two labs of different scenes share the core: each paints its own", { skip }, async () => {
+  const page = await open("#scene=spin-up");
+  const [first, second] = await page.evaluate(async () => {
+    const one = document.querySelector("rotdyn-lab"), two = document.createElement("rotdyn-lab");
+    two.setAttribute("scene", JSON.stringify({ scene_free: { body: [1, 2, 2.6],
+      omega0_rad_per_s: [0.05, 6, 0.05] } }));
+    document.body.append(two);
+    await new Promise((done) => two.addEventListener("rotdyn-settled", done));
+    one.goto(3);
+    return [one, two].map((lab) => lab.constraint());
+  });
+  assert.deepEqual([first, second], ["axle", "free"]);
+  // One that was removed paints no more.
+  await page.evaluate(() => {
+    const one = document.querySelector("rotdyn-lab");
+    one.remove();
+    document.body.append(one);
+    document.body.style.width = "700px";
+  });
+  await settled(page);
+  quiet(page);
+  await page.close();
+});
+
+test("start again stops the motion that plays", { skip }, async () => {
+  const page = await open("#scene=free");
+  await page.getByRole("button", { name: "Play", exact: true }).press("Enter");
+  await page.waitForTimeout(200);
+  await page.getByRole("button", { name: "Start again" }).press("Enter");
+  const now = () => page.locator("rotdyn-lab").evaluate((lab) => lab.t);
+  const begin = await now();
+  await page.waitForTimeout(300);
+  assert.deepEqual([begin, await now()], [0, 0]);
+  await page.close();
+});
+
 test("320 px and 200 % text: no sideways scrolling", { skip }, async () => {
   for (const id of ["spin-up", "free", "drive"]) {
     const page = await open(`#scene=${id}`, { viewport: { width: 320, height: 700 } });
