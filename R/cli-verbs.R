@@ -134,7 +134,7 @@ cli_scenes <- function(words, options, state, verb) {
     lines <- lines[nzchar(trimws(lines))]
     each <- all(grepl("^\\s*[{].*[}]\\s*$", lines))
     texts <- if (each) lines else paste(lines, collapse = "\n")
-    made <- lapply(texts, read_scene)
+    made <- lapply(texts, scene_of_text, NULL)
     if (any(vapply(made, inherits, NA, "rot_body"))) abort_input("a body is no scene")
     stats::setNames(
       made, if (length(made) > 1L) paste0(path, ":", seq_along(made)) else path

@@ -223,7 +223,11 @@ cli_value <- function(text, option, verb) {
       }
       text
     },
-    texts = strsplit(text, ",", fixed = TRUE)[[1]],
+    texts = {
+      parts <- strsplit(text, ",", fixed = TRUE)[[1]]
+      if (!length(parts) || !all(nzchar(parts))) wrong("names with commas between them")
+      parts
+    },
     number = {
       x <- one(text)
       if (!is_plain_number(text) || is.na(x)) wrong("a number with a point for decimals")

@@ -134,7 +134,7 @@ scene_node <- function(scene, call) {
 }
 
 scene_of_text <- function(text, call) {
-  x <- read_json(text, "scene", "scene", call)
+  x <- empty_places(read_json(text, "scene", "scene", call))
   if (!is.list(x) || is.null(names(x))) {
     abort_rotdyn(c(
       "The text is no scene.",
@@ -153,6 +153,14 @@ scene_of_text <- function(text, call) {
   readers <- text_readers()
   readers <- readers[grepl("^(scene_|body_)|^(rot|place|join|cut)_bod", names(readers))]
   read_node(x, readers, "the scene", call)
+}
+
+# A null among numbers is an empty place of a list, not a missing number.
+empty_places <- function(x) {
+  if (is.list(x)) return(lapply(x, empty_places))
+  gaps <- is.na(x) & !is.nan(x)
+  if (!any(gaps) || !is.null(dim(x))) return(x)
+  lapply(seq_along(x), function(i) if (!gaps[i]) x[[i]])
 }
 
 # ---- writing ------------------------------------------------------------------------------------

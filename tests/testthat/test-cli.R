@@ -431,6 +431,26 @@ test_that("tumble takes one time, by option or by column", {
   expect_match(said$err[1], "exclude each other", fixed = TRUE)
 })
 
+test_that("a scene's text names no file", {
+  skip_if_not_installed("yyjsonr")
+  in_folder({
+    for (text in c("wheel.json", "null", "5")) {
+      writeLines(text, "name.json")
+      said <- cli("trajectory", "name.json", "--times", "0,1")
+      expect_identical(said[c("status", "out")], list(status = 3L, out = character()))
+      expect_match(said$err[1], "name.json: The text is no scene", fixed = TRUE)
+    }
+  })
+})
+
+test_that("names that are empty are wrong usage", {
+  for (names in c("", ",", "hoop,,disk")) {
+    said <- cli("roll", "--objects", names)
+    expect_identical(said[c("status", "out")], list(status = 2L, out = character()))
+    expect_match(said$err[1], "`--objects` must be names with commas", fixed = TRUE)
+  }
+})
+
 test_that("cells beyond the names are refused, and dropped where all are empty", {
   roll <- function(...) cli("roll", "-", input = c(...))
   plain <- roll("beta,incline_angle_deg", "0.4,20", "0.5,30")

@@ -249,6 +249,20 @@ test_that("what constructors refuse, and unknown keys, are refused with the name
   expect_error(write_scene(3), class = "rotdyn_error_type")
 })
 
+test_that("a null among numbers is an empty place of a list", {
+  skip_if_not_installed("yyjsonr")
+  text <- function(torque) {
+    paste0("{\"scene_drive\": {\"bodies\": [1, 2], \"torque\": ", torque,
+           ", \"couplings\": {\"coupling_gear\": {\"ratio\": 2}}}}")
+  }
+  drive <- function(...) scene_drive(c(1, 2), coupling_gear(2), torque = list(...))
+  expect_identical(read_scene(text("[2.5, null]")), drive(2.5, NULL))
+  expect_identical(read_scene(text("[null, 2]")), drive(NULL, 2))
+  expect_identical(read_scene(text("[null, null]")), drive(NULL, NULL))
+  expect_error(read_scene("{\"scene_axle\": {\"body\": 1, \"torque\": [1, null]}}"), "torque",
+               class = "rotdyn_error_scene")
+})
+
 test_that("damaged texts are refused, or are scenes", {
   skip_if_not_installed("yyjsonr")
   set.seed(16)
