@@ -344,20 +344,26 @@ check_spin <- function(scene, inertia, call) {
 #' @export
 print.rot_scene_free <- function(x, ...) {
   check_scene(x, current_env())
-  numbers <- function(v) paste(format_si(v), collapse = ", ")
-  cat(
-    "<rot_scene> ", scene_title(x), "\n",
-    "  body      ", shape_of(x$body), "principal moments ",
-    numbers(x$moment_of_inertia_kg_m2), " kg m^2\n",
-    "  torque    ", describe_free_torque(x), "\n",
-    resistance_line(x),
-    vapply(x$rotors, function(one) paste0("  rotor     ", describe_rotor(one), "\n"), ""),
-    "  start     omega ", numbers(x$omega0_rad_per_s), " rad/s (body axes), quaternion ",
-    numbers(x$attitude0), " at ", format_si(x$start_s), " s\n",
-    sep = ""
-  )
+  cat("<rot_scene> ", scene_title(x), "\n", sep = "")
+  print_field("body", paste0(
+    shape_of(x$body), "principal moments ", list_si(x$moment_of_inertia_kg_m2), " kg m^2"
+  ))
+  print_field("torque", describe_free_torque(x))
+  print_free_start(x)
+}
+
+# The lines that a free body and a body with a fixed point have in common.
+print_free_start <- function(x) {
+  cat(resistance_line(x))
+  for (one in x$rotors) print_field("rotor", describe_rotor(one))
+  print_field("start", paste0(
+    "omega ", list_si(x$omega0_rad_per_s), " rad/s (body axes), quaternion ",
+    list_si(x$attitude0), " at ", format_si(x$start_s), " s"
+  ))
   invisible(x)
 }
+
+list_si <- function(v) paste(format_si(v), collapse = ", ")
 
 resistance_line <- function(x) {
   if (!is.null(x$resistance)) paste0("  resists   ", describe_resistance(x$resistance), "\n")

@@ -150,20 +150,16 @@ pivot_inertia <- function(body, pivot_m, mass_kg, centre_m, call) {
 #' @export
 print.rot_scene_pivot <- function(x, ...) {
   check_scene(x, current_env())
-  numbers <- function(v) paste(format_si(v), collapse = ", ")
-  cat(
-    "<rot_scene> ", scene_title(x), "\n",
-    "  body      ", shape_of(x$body), "principal moments ",
-    numbers(x$moment_of_inertia_kg_m2), " kg m^2 about the point\n",
-    "  gravity   ", format_si(x$mass_kg), " kg at ", numbers(x$centre_m), " m from the point\n",
-    if (!is.null(x$torque)) paste0("  torque    ", describe_free_torque(x), "\n"),
-    resistance_line(x),
-    vapply(x$rotors, function(one) paste0("  rotor     ", describe_rotor(one), "\n"), ""),
-    "  start     omega ", numbers(x$omega0_rad_per_s), " rad/s (body axes), quaternion ",
-    numbers(x$attitude0), " at ", format_si(x$start_s), " s\n",
-    sep = ""
-  )
-  invisible(x)
+  cat("<rot_scene> ", scene_title(x), "\n", sep = "")
+  print_field("body", paste0(
+    shape_of(x$body), "principal moments ", list_si(x$moment_of_inertia_kg_m2),
+    " kg m^2 about the point"
+  ))
+  print_field("gravity", paste0(
+    format_si(x$mass_kg), " kg at ", list_si(x$centre_m), " m from the point"
+  ))
+  if (!is.null(x$torque)) print_field("torque", describe_free_torque(x))
+  print_free_start(x)
 }
 
 # A symmetric top as a row of precession_table().

@@ -452,3 +452,22 @@ test_that("a command loads neither tibble nor rlang, and a session prints tables
   expect_match(child("rotdyn::rolling_table()")[1], "# A tibble: 5")
   expect_match(child("rotdyn::spin_up()")[1], "# A rotdyn trajectory: ")
 })
+
+test_that("the lines of free and pivoted bodies and of a falling weight fit the console", {
+  turned <- rotation_about("x", angle_deg = 60)
+  disk <- body_disk(1, 0.1)
+  scenes <- list(
+    scene_free(disk, c(0.1, 0.2, 300), attitude0 = turned),
+    scene_pivot(disk, c(0.1, 0.2, 300), pivot_m = c(0, 0, -0.05), attitude0 = turned),
+    falling_weight(0.5, 0.02)
+  )
+  for (width in c(80L, 60L)) {
+    old <- options(width = width)
+    for (one in scenes) {
+      lines <- utils::capture.output(print(one))
+      expect_true(all(nchar(lines) <= width), info = paste(class(one)[1], width))
+    }
+    options(old)
+  }
+  expect_match(utils::capture.output(print(scenes[[2]])), "^ {12}0 at 0 s$", all = FALSE)
+})
