@@ -105,7 +105,11 @@ spin_up_inputs <- function(parameters, time_s, call) {
   if (is.null(parameters[["moment_of_inertia_kg_m2"]])) {
     abort_rotdyn(c(
       "{.arg parameters} must have a column {.field moment_of_inertia_kg_m2}.",
-      i = "Its columns are {.field {names(parameters)}}.",
+      x = if (length(parameters)) {
+        "Its columns are {.field {names(parameters)}}."
+      } else {
+        "It has no columns."
+      },
       i = "{.fn inertia_table} computes it for the standard shapes."
     ), "missing", call)
   }

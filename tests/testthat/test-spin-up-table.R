@@ -198,3 +198,10 @@ test_that("the extremes on the way are told where the model has them, and else l
   # omega' = 1 - omega^2/4: 2 tanh(t/2).
   expect_equal(drag$max_omega_rad_per_s[1], 2 * tanh(1.5))
 })
+
+test_that("a table without columns is named as such", {
+  expect_error(
+    spin_up_table(data.frame(), torque_constant(1), time_s = 1), "It has no columns",
+    class = "rotdyn_error_missing"
+  )
+})
