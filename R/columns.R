@@ -10,7 +10,10 @@ column_list <- list(
   c("angular_momentum_kg_m2_per_s", "kg m^2/s", "angular momentum about the axle, I omega"),
   c("rotational_kinetic_energy_j", "J", "I omega^2 / 2"),
   c("moment_of_inertia_kg_m2", "kg m^2", "moment of inertia about the axis in use"),
-  c("max_angular_velocity_rad_per_s", "rad/s", "largest omega (with its sign)"),
+  c(
+    "max_angular_velocity_rad_per_s", "rad/s",
+    "largest omega, signed: at most 0 for a body that turns backwards"
+  ),
   c("max_angular_velocity_time_s", "s", "the first time at which omega is largest"),
   c("max_angular_momentum_kg_m2_per_s", "kg m^2/s", "largest angular momentum"),
   c("max_rotational_kinetic_energy_j", "J", "largest rotational kinetic energy"),
@@ -32,9 +35,9 @@ column_list <- list(
   c("dissipated_coulomb_j", "J", "its part by dry friction"),
   c("inertia_work_j", "J", "work of changing the moment of inertia"),
   c("final_omega_rad_per_s", "rad/s", "angular velocity at the end"),
-  c("max_omega_rad_per_s", "rad/s", "largest omega during the motion (with its sign)"),
+  c("max_omega_rad_per_s", "rad/s", "largest omega during the motion, signed"),
   c("max_omega_time_s", "s", "the first time at which omega is largest"),
-  c("min_omega_rad_per_s", "rad/s", "smallest omega during the motion (with its sign)"),
+  c("min_omega_rad_per_s", "rad/s", "smallest omega during the motion, signed"),
   c("max_abs_omega_rad_per_s", "rad/s", "largest |omega| during the motion"),
   c("stop_time_s", "s", "time at which the body comes to rest finally; Inf if it never does"),
   c("stop_theta_rad", "rad", "angle at that time; the angle that it tends to where it never stops"),
@@ -185,7 +188,9 @@ column_list <- list(
   c("drag_force_n", "N", "air drag on the body, positive down the slope"),
   c("applied_force_n", "N", "force on the body besides gravity, friction and drag"),
   c("drag_heat_j", "J", "heat of air drag since the start"),
-  c("max_v_m_per_s", "m/s", "largest velocity (with its sign)"),
+  c(
+    "max_v_m_per_s", "m/s", "largest velocity, signed: at most 0 for a body that only moves upwards"
+  ),
   c("max_v_time_s", "s", "the first time at which the velocity is largest"),
   c("highest_x_m", "m", "path where the body is highest up the slope: the least x"),
   c("highest_x_time_s", "s", "the first time at which it is there"),
