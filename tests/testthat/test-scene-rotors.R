@@ -66,3 +66,12 @@ test_that("a body with its mass on the axle is named, with a remedy", {
     angular_impulse(1, 0, 1, body = body_point(1)), "`body` must have", class = "rotdyn_error_value"
   )
 })
+
+test_that("the row at the start is the initial state", {
+  scene <- scene_rotors(list(1, 2), 1000, omega0_rad_per_s = c(3, 0), theta0_rad = c(0.1, 0))
+  for (time_s in list(0, seq(0, 1, by = 0.01))) {
+    expect_silent(motion <- trajectory(scene, time_s))
+    expect_identical(motion$omega_rad_per_s[1:2], c(3, 0))
+    expect_identical(motion$theta_rad[1:2], c(0.1, 0))
+  }
+})

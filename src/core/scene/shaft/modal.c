@@ -67,6 +67,11 @@ static rot_status write_row(const modal_run *run, size_t row, double t) {
     theta_error += (run->error[0] + residual) * fabs(t) +
                    ROT_EPS * (2.0 * fabs(s->theta0) + 2.0 * fabs(theta[i]) +
                               rot_shaft_roundings(s) * s->theta_spread);
+    if (t == 0.0) { /* the initial state, not its sum of modes */
+      theta[i] = p->theta0_rad[i];
+      omega[i] = p->omega0_rad_per_s[i];
+      theta_error = omega_error = 0.0;
+    }
     rot_note_row(run->info, theta[i], omega[i], theta_error, omega_error);
   }
   for (size_t j = 0; j + 1 < n; j++) {
