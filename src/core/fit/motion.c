@@ -107,8 +107,8 @@ static size_t times_of(rot_fit_motion *m, const void *scene, double shift_s) {
   return first;
 }
 
-/* Steps that a run may take, of so many times those of the first one: where the search strays, as to
- * a negative resistance, a motion can take millions. */
+/* Steps that a run may take, of so many times those of the first one: where the search strays, as
+ * to a negative resistance, a motion can take millions. */
 #define STRAYS    30
 #define MIN_STEPS 20000
 
