@@ -133,6 +133,15 @@ test_that("what does not stop, or cannot be known to, is refused", {
   expect_error(stopping(3), class = "rotdyn_error_type")
 })
 
+test_that("a stop is found as late as few steps lead there", {
+  # 1 rad/s less 1e-12 rad/s^2.
+  late <- stopping(scene_drive(1e6, brake = list(brake(1e-6)), omega0_rad_per_s = 1))
+  expect_equal(late$stop_time_s, 1e12, tolerance = 1e-9)
+  expect_equal(late$stop_theta_rad, 5e11, tolerance = 1e-9)
+  driven <- scene_drive(1, torque = 2, resistance = resistance(coulomb_n_m = 1))
+  expect_error(stopping(driven), "not seen to stop", class = "rotdyn_error_model")
+})
+
 test_that("drag alone stops no body on an incline: its terminal speed", {
   roll <- function(angle_deg, ..., force = NULL) {
     scene <- scene_incline(
