@@ -301,7 +301,7 @@ predict.rot_fit <- function(object, time_s, ..., record = 1) {
   check_supplied("time_s", call)
   scene <- as_scene.rot_fit(object, record = record)
   time_s <- check_column(time_s, "time_s", "s", call)
-  predict(trajectory(scene, range(scene$start_s %||% 0, time_s[is.finite(time_s)])), time_s)
+  stats::predict(trajectory(scene, range(scene$start_s %||% 0, time_s[is.finite(time_s)])), time_s)
 }
 
 #' @rdname fit_verbs

@@ -112,7 +112,8 @@ stops_at_rest <- function(...) {
 }
 
 # The time from which a motion that ends at rest is at rest, and its row: NULL if it is not seen to
-# end so in 4^10 s beyond the last change of a law, 4^30 s where few steps lead there. `rates`: the columns that are 0 at rest.
+# end so in 4^10 s beyond the last change of a law, 4^30 s where few steps lead there. `rates`: the
+# columns that are 0 at rest.
 rest_of_motion <- function(scene, rates, call) {
   changes <- last_change(list(
     scene[["torque"]], scene[["force"]], scene[["brake"]], scene[["couplings"]]

@@ -44,7 +44,7 @@ test_that("a drive shows its clutches and brakes", {
   look <- rotdyn:::drive_constraint()$drawing(drive)
   key <- look$quantities
   expect_equal(key$value[match(c("T[1]", "B[3]", "k[i]"), key$symbol)],
-    c("12 N m", "4 N m", "800 N m/rad"))
+    c("12 N m", "4 N m, from 2 s", "800 N m/rad"))
   expect_true(all(c("T[1]", "B[3]", "k[2]") %in% look$labels$symbol))
   terms <- audit(trajectory(drive, c(0, 0.1)))$terms[[1]]$term
   expect_true("work of the torques" %in% terms)
