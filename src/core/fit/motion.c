@@ -108,7 +108,8 @@ static size_t times_of(rot_fit_motion *m, const void *scene, double shift_s) {
 }
 
 /* Steps that a run may take, of so many times those of the first one: where the search strays, as
- * to a negative resistance, a motion can take millions. */
+ * to a negative resistance, a motion can take millions: a swing's fit minutes, so 0.3 s
+ * (tests/testthat/test-fit-scene.R, "a search that strays"). */
 #define STRAYS    30
 #define MIN_STEPS 20000
 

@@ -1,4 +1,5 @@
-/* Products and lengths without intermediate overflow and underflow; sines of degrees. */
+/* Products and lengths without intermediate overflow and underflow; products of vectors; sines of
+ * degrees. */
 #ifndef ROT_REAL_H
 #define ROT_REAL_H
 
@@ -18,6 +19,17 @@ double rot_product_split(int n, const double x[], double d, int *exponent);
 /* => first + x[0] x[1] ... x[n - 1], residual in *lo: relative error some n 1e-32, no intermediate
  * overflow; *lo is 0 where the sum is not finite. */
 double rot_sum_product(double first, int n, const double x[], double *lo);
+
+static inline double rot_dot(const double a[3], const double b[3]) {
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* out: neither a nor b. */
+static inline void rot_cross(const double a[3], const double b[3], double out[3]) {
+  out[0] = a[1] * b[2] - a[2] * b[1];
+  out[1] = a[2] * b[0] - a[0] * b[2];
+  out[2] = a[0] * b[1] - a[1] * b[0];
+}
 
 /* Length of a vector. hypot() only where a square may over- or underflow: it was 12 % of the time
  * of a free body's row. */

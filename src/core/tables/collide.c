@@ -3,15 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-static double dot(const double a[3], const double b[3]) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double a[3], const double b[3], double out[3]) {
-  out[0] = a[1] * b[2] - a[2] * b[1];
-  out[1] = a[2] * b[0] - a[0] * b[2];
-  out[2] = a[0] * b[1] - a[1] * b[0];
-}
+#include "ground/real.h"
 
 /* normal => right-handed unit axes t1, t2, n */
 static void contact_axes(const double normal[3], double e[3][3]) {
@@ -20,17 +12,17 @@ static void contact_axes(const double normal[3], double e[3][3]) {
   const double max = fmax(fmax(fabs(normal[0]), fabs(normal[1])), fabs(normal[2]));
   frexp(max, &exponent);
   for (int i = 0; i < 3; i++) n[i] = ldexp(normal[i], -exponent);
-  const double size = sqrt(dot(n, n));
+  const double size = sqrt(rot_dot(n, n));
   for (int i = 0; i < 3; i++) e[2][i] = n[i] / size;
   int min = 0;
   for (int i = 1; i < 3; i++)
     if (fabs(e[2][i]) < fabs(e[2][min])) min = i;
   double x[3] = {0.0, 0.0, 0.0};
   x[min] = 1.0;
-  cross(e[2], x, t2);
-  const double length = sqrt(dot(t2, t2));
+  rot_cross(e[2], x, t2);
+  const double length = sqrt(rot_dot(t2, t2));
   for (int i = 0; i < 3; i++) t2[i] /= length;
-  cross(t2, e[2], t1);
+  rot_cross(t2, e[2], t1);
 }
 
 /* => x/d 2^exponent without intermediate overflow */
@@ -43,12 +35,12 @@ static double ratio(double x, double d, int exponent) {
 /* => rows of the body in G, where K = G' G: the angular response to an impulse along e_k, weighted
  * by the root of the inertia. Returns 0 for a moment about an axis without inertia. */
 static int response(const rot_collide_body *body, double e[3][3], double rows[3][3]) {
-  const double far = sqrt(dot(body->arm, body->arm));
+  const double far = sqrt(rot_dot(body->arm, body->arm));
   for (int j = 0; j < 3; j++)
     for (int k = 0; k < 3; k++) {
       double turn[3];
-      cross(body->arm, e[k], turn);
-      const double moment = dot(body->axes[j], turn);
+      rot_cross(body->arm, e[k], turn);
+      const double moment = rot_dot(body->axes[j], turn);
       if (body->moment[j] > 0.0)
         rows[j][k] = moment / sqrt(body->moment[j]);
       else if (fabs(moment) <= 1e-12 * far)
@@ -79,18 +71,18 @@ static void triangle(int n, double g[][3], double r[3][3]) {
 
 /* => velocity of the body at the point of contact */
 static void velocity_at(const rot_collide_body *body, double u[3]) {
-  cross(body->omega, body->arm, u);
+  rot_cross(body->omega, body->arm, u);
   for (int i = 0; i < 3; i++) u[i] += body->v[i];
 }
 
 static void push(const rot_collide_body *body, const double p[3], double sign, int exponent,
                  double v[3], double omega[3]) {
   double turn[3];
-  cross(body->arm, p, turn);
+  rot_cross(body->arm, p, turn);
   for (int i = 0; i < 3; i++) v[i] += sign * ratio(p[i], body->mass, exponent);
   for (int j = 0; j < 3; j++) {
     if (!(body->moment[j] > 0.0)) continue;
-    const double w = sign * ratio(dot(body->axes[j], turn), body->moment[j], exponent);
+    const double w = sign * ratio(rot_dot(body->axes[j], turn), body->moment[j], exponent);
     for (int i = 0; i < 3; i++) omega[i] += w * body->axes[j][i];
   }
 }
@@ -125,7 +117,7 @@ rot_collide_status rot_collide(const rot_collide_input *in, rot_collide_end *end
   velocity_at(&in->body[0], u);
   if (bodies == 2) velocity_at(&in->body[1], other);
   for (int i = 0; i < 3; i++) u[i] -= other[i];
-  for (int k = 0; k < 3; k++) w[k] = dot(u, e[k]);
+  for (int k = 0; k < 3; k++) w[k] = rot_dot(u, e[k]);
   if (!(isfinite(w[0]) && isfinite(w[1]) && isfinite(w[2]))) return ROT_COLLIDE_BEYOND;
   if (!(w[2] < 0.0)) return ROT_COLLIDE_OK;
 

@@ -202,18 +202,12 @@ double rot_frame_angle(double rate, double beta, double t) {
 
 /* ---- to a rotating frame and back ------------------------------------------------------------ */
 
-static void cross(const double a[3], const double b[3], double out[3]) {
-  out[0] = a[1] * b[2] - a[2] * b[1];
-  out[1] = a[2] * b[0] - a[0] * b[2];
-  out[2] = a[0] * b[1] - a[1] * b[0];
-}
-
 /* (unit axis, angle, x) => x rotated */
 static void rotate(const double axis[3], double angle, const double x[3], double out[3]) {
   const double sine = sin(angle), half = sin(0.5 * angle);
   double over[3], twice[3];
-  cross(axis, x, over);
-  cross(axis, over, twice);
+  rot_cross(axis, x, over);
+  rot_cross(axis, over, twice);
   for (int i = 0; i < 3; i++) out[i] = x[i] + sine * over[i] + 2.0 * half * half * twice[i];
 }
 
@@ -221,9 +215,9 @@ void rot_frame_terms(const rot_frame *frame, const double r_in[3], const double 
                      double centrifugal[3], double coriolis[3], double euler[3]) {
   double over[3], twice[3], moving[3];
   const double w = frame->omega_rad_per_s;
-  cross(frame->axis, r_in, over);
-  cross(frame->axis, over, twice);
-  cross(frame->axis, v_in, moving);
+  rot_cross(frame->axis, r_in, over);
+  rot_cross(frame->axis, over, twice);
+  rot_cross(frame->axis, v_in, moving);
   for (int i = 0; i < 3; i++) {
     centrifugal[i] = -w * w * twice[i];
     coriolis[i] = -2.0 * w * moving[i];
@@ -237,7 +231,7 @@ void rot_frame_enter(const rot_frame *frame, const double r[3], const double v[3
   rotate(frame->axis, -frame->theta_rad, r, r_in);
   rotate(frame->axis, -frame->theta_rad, v, v_in);
   rotate(frame->axis, -frame->theta_rad, a, a_in);
-  cross(frame->axis, r_in, over);
+  rot_cross(frame->axis, r_in, over);
   for (int i = 0; i < 3; i++) v_in[i] -= frame->omega_rad_per_s * over[i];
   rot_frame_terms(frame, r_in, v_in, term[0], term[1], term[2]);
   for (int i = 0; i < 3; i++) a_in[i] += term[0][i] + term[1][i] + term[2][i];
@@ -246,7 +240,7 @@ void rot_frame_enter(const rot_frame *frame, const double r[3], const double v[3
 void rot_frame_leave(const rot_frame *frame, const double r_in[3], const double v_in[3],
                      const double a_in[3], double r[3], double v[3], double a[3]) {
   double over[3], term[3][3], v_there[3], a_there[3];
-  cross(frame->axis, r_in, over);
+  rot_cross(frame->axis, r_in, over);
   rot_frame_terms(frame, r_in, v_in, term[0], term[1], term[2]);
   for (int i = 0; i < 3; i++) {
     v_there[i] = v_in[i] + frame->omega_rad_per_s * over[i];

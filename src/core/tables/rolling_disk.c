@@ -10,16 +10,6 @@
 /* The state: attitude quaternion, omega in space, x and y of the centre. */
 enum { OMEGA = 4, STATE = 7, PLACE = 7, DIM = 9 };
 
-static void cross(const double a[3], const double b[3], double out[3]) {
-  out[0] = a[1] * b[2] - a[2] * b[1];
-  out[1] = a[2] * b[0] - a[0] * b[2];
-  out[2] = a[0] * b[1] - a[1] * b[0];
-}
-
-static double dot(const double a[3], const double b[3]) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /* Vectors in space at a state. */
 typedef struct rolling {
   double e[3];          /* axis of the disk, unit vector */
@@ -38,29 +28,29 @@ static rot_status find(const rot_rolling_disk *p, const double y[], rolling *x) 
   const double c = x->e[2], s = hypot(x->e[0], x->e[1]);
   if (!(s > 0.0)) return ROT_ERHS;
   for (int k = 0; k < 3; k++) x->d[k] = (along[k] - c * x->e[k]) / s;
-  cross(x->e, x->d, n);
-  cross(w, x->e, e_rate);
+  rot_cross(x->e, x->d, n);
+  rot_cross(w, x->e, e_rate);
   const double c_rate = e_rate[2], s_rate = -c * c_rate / s;
   for (int k = 0; k < 3; k++) {
     d_rate[k] = -(c_rate * x->e[k] + c * e_rate[k] + x->d[k] * s_rate) / s;
   }
-  const double we = dot(w, x->e);
+  const double we = rot_dot(w, x->e);
   for (int k = 0; k < 3; k++)
     l[k] = p->transverse * w[k] + (p->axial - p->transverse) * we * x->e[k];
-  cross(w, l, gyro);
-  cross(w, d_rate, wd);
+  rot_cross(w, l, gyro);
+  rot_cross(w, d_rate, wd);
   /* d x (omega x d' + (g/r) z) */
   double push[3] = {wd[0], wd[1], wd[2] + p->gravity_m_per_s2 / p->radius_m};
-  cross(x->d, push, turn);
+  rot_cross(x->d, push, turn);
   double b[3];
   for (int k = 0; k < 3; k++) b[k] = -gyro[k] - turn[k];
-  const double by_e = dot(b, x->e) / (p->axial + 1.0), by_d = dot(b, x->d) / p->transverse,
-               by_n = dot(b, n) / (p->transverse + 1.0);
+  const double by_e = rot_dot(b, x->e) / (p->axial + 1.0), by_d = rot_dot(b, x->d) / p->transverse,
+               by_n = rot_dot(b, n) / (p->transverse + 1.0);
   for (int k = 0; k < 3; k++) {
     x->omega_rate[k] = by_e * x->e[k] + by_d * x->d[k] + by_n * n[k];
   }
-  cross(w, x->d, x->v);
-  cross(x->omega_rate, x->d, x->a);
+  rot_cross(w, x->d, x->v);
+  rot_cross(x->omega_rate, x->d, x->a);
   for (int k = 0; k < 3; k++) {
     x->v[k] *= p->radius_m;
     x->a[k] = p->radius_m * (x->a[k] + wd[k]);
@@ -107,7 +97,7 @@ static void write_row(const rot_rolling_disk *p, const double y[], size_t i,
   const double *w = y + OMEGA, m = p->mass_kg, r = p->radius_m, g = p->gravity_m_per_s2;
   rolling x;
   (void)find(p, y, &x);
-  const double s = hypot(x.e[0], x.e[1]), we = dot(w, x.e);
+  const double s = hypot(x.e[0], x.e[1]), we = rot_dot(w, x.e);
   out->x_m[i] = y[PLACE];
   out->y_m[i] = y[PLACE + 1];
   out->z_m[i] = r * s;
@@ -122,8 +112,8 @@ static void write_row(const rot_rolling_disk *p, const double y[], size_t i,
   out->omega_space_z_rad_per_s[i] = w[2];
   out->lean_rad[i] = atan2(x.e[2], s);
   out->kinetic_energy_j[i] =
-      0.5 * m * dot(x.v, x.v) +
-      0.5 * m * r * r * (p->transverse * (dot(w, w) - we * we) + p->axial * we * we);
+      0.5 * m * rot_dot(x.v, x.v) +
+      0.5 * m * r * r * (p->transverse * (rot_dot(w, w) - we * we) + p->axial * we * we);
   out->potential_energy_j[i] = m * g * r * s;
   out->normal_n[i] = m * (g + x.a[2]);
   out->friction_needed[i] = hypot(x.a[0], x.a[1]) / (g + x.a[2]);

@@ -271,9 +271,8 @@ static rot_status find_zero(sight *s, double *hi) {
    * changes as the component does. */
   const double slope = in->step->trial_slope[s->at.event.component];
   const double left = (s->at.level - in->step->trial[s->at.event.component]) / slope;
-  for (size_t i = 0; i < in->law->p->dim && fabs(left) <= resolved_at(in, x); i++) {
-    in->step->trial[i] += in->step->trial_slope[i] * left;
-  }
+  const size_t moved = fabs(left) <= resolved_at(in, x) ? in->law->p->dim : 0;
+  for (size_t i = 0; i < moved; i++) in->step->trial[i] += in->step->trial_slope[i] * left;
   in->step->trial[s->at.event.component] = s->at.level;
   return ROT_OK;
 }

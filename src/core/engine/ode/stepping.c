@@ -29,9 +29,11 @@ static rot_status look_beyond_rounding(rot_ode_stepping *run, double *drive, int
   return ROT_OK;
 }
 
+/* Of the group that has this component. */
 static double largest_of(const rot_ode_stepping *run, size_t component) {
   size_t m = 0;
-  while (rot_ode_group_of(run->p, m).first != component) m++;
+  rot_ode_group g = rot_ode_group_of(run->p, m);
+  while (component >= g.first + g.count) g = rot_ode_group_of(run->p, ++m);
   return run->state.largest[m];
 }
 

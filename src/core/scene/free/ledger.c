@@ -58,10 +58,6 @@ void rot_free_gyrostat_flows(const rot_free_params *p, const rot_task *task, con
 
 /* ---- balances -------------------------------------------------------------------------------- */
 
-static double dot(const double a[3], const double b[3]) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /* L of the body with locked rotors, own axes. */
 static void momentum_of(const rot_free_params *p, const double omega[3], double l[3]) {
   double own[3] = {omega[0], omega[1], omega[2]};
@@ -91,7 +87,7 @@ static double change_of_energy(const rot_free_params *p, const double a[], const
   for (size_t k = 0; k < p->n_rotors; k++) {
     const rot_free_rotor *one = &p->rotors[k];
     const double from = a[ROTORS + 2 * k], to = b[ROTORS + 2 * k];
-    const double along = dot(one->axis, a + RATES), later = dot(one->axis, b + RATES);
+    const double along = rot_dot(one->axis, a + RATES), later = rot_dot(one->axis, b + RATES);
     const double mean = 0.5 * (from + to);
     change +=
         one->moment_kg_m2 * ((to - from) * (0.5 * (along + later) + mean) + mean * (later - along));
@@ -142,8 +138,8 @@ void rot_free_explain(const void *scene, const rot_span *s, const double term[],
     const size_t at = ROTORS + 2 * k;
     const double speed = fmax(fabs(row[0][at]), fabs(row[1][at]));
     spins += one->moment_kg_m2 * speed;
-    speeds +=
-        speed + fmax(fabs(dot(one->axis, row[0] + RATES)), fabs(dot(one->axis, row[1] + RATES)));
+    speeds += speed + fmax(fabs(rot_dot(one->axis, row[0] + RATES)),
+                           fabs(rot_dot(one->axis, row[1] + RATES)));
   }
   const double of_l = s->error[ROT_FREE_MOMENTUM];
   const double of_omega =

@@ -7,10 +7,6 @@
 #include "scene/free/torque.h"
 #include "ground/real.h"
 
-static double dot(const double a[3], const double b[3]) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 /* Inverse of a symmetric positive definite matrix. Returns 0 if it is not, else 1. */
 static int invert(double m[3][3], double out[3][3]) {
   for (int i = 0; i < 3; i++) {
@@ -74,7 +70,7 @@ const char *rot_free_rotors_begin(const rot_free_params *p, rot_free_rotors *out
     }
     if (rotor->driven) continue;
     out->state[k] = out->n_states++;
-    out->start[out->state[k]] = spin + rotor->moment_kg_m2 * dot(out->axis[k], out->omega0);
+    out->start[out->state[k]] = spin + rotor->moment_kg_m2 * rot_dot(out->axis[k], out->omega0);
   }
   if (out->n && !invert_tensor(p, out)) return "a rotor has more moment than the body with it";
   return NULL;
@@ -92,7 +88,7 @@ void rot_free_rotors_omega(const rot_free_rotors *r, const double l[3], const do
     if (r->p->rotors[k].driven) continue;
     for (int i = 0; i < 3; i++) own[i] -= s[r->state[k]] * r->axis[k][i];
   }
-  for (int i = 0; i < 3; i++) omega[i] = dot(r->inverse[i], own);
+  for (int i = 0; i < 3; i++) omega[i] = rot_dot(r->inverse[i], own);
 }
 
 /* Only for axes along principal axes, within rounding. */
@@ -118,7 +114,7 @@ void rot_free_rotors_speeds(const rot_free_rotors *r, const double omega[3], con
   for (size_t k = 0; k < r->n; k++) {
     const rot_free_rotor *rotor = &r->p->rotors[k];
     speed[k] = rotor->driven ? rotor->omega_rad_per_s
-                             : s[r->state[k]] / rotor->moment_kg_m2 - dot(r->axis[k], omega);
+                             : s[r->state[k]] / rotor->moment_kg_m2 - rot_dot(r->axis[k], omega);
   }
 }
 
@@ -200,7 +196,7 @@ rot_status rot_free_rotors_write(const rot_free_rotors *r, const double omega[3]
   }
   for (size_t k = 0; k < r->n; k++) {
     const rot_free_rotor *rotor = &p->rotors[k];
-    const double spin = rotor->moment_kg_m2 * speed[k], along = dot(r->axis[k], omega);
+    const double spin = rotor->moment_kg_m2 * speed[k], along = rot_dot(r->axis[k], omega);
     for (int j = 0; j < 3; j++) l[j] += spin * r->axis[k][j];
     energy += spin * (along + 0.5 * speed[k]);
     out->rotor_omega[k][i] = speed[k];

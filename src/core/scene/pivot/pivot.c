@@ -240,17 +240,6 @@ rot_status rot_pivot_nutation(const rot_free_params *p, double out[3]) {
   return ROT_OK;
 }
 
-static double dot(const double a[3], const double b[3]) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-static void cross(const double a[3], const double b[3], double out[3]) {
-  for (int i = 0; i < 3; i++) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    out[i] = a[j] * b[k] - a[k] * b[j];
-  }
-}
-
 /* The line is that of the rotation, at rest that of the torque, of a top without torque any across
  * its axis. It must be a horizontal principal axis with the centre of mass beside it. */
 int rot_pivot_plane(const rot_free_params *p, rot_pivot_pendulum *out) {
@@ -261,7 +250,7 @@ int rot_pivot_plane(const rot_free_params *p, rot_pivot_pendulum *out) {
   if (acts(p) || p->n_rotors || weight == 0.0) return 0;
   rot_free_principal(p, w, q);
   rot_attitude_to_body(q, down_space, down);
-  cross(g, down, torque);
+  rot_cross(g, down, torque);
   const int axis = rot_pivot_axis(p), turns = rot_length(w) > 0.0,
             pulled = rot_length(torque) > 0.0;
   if (!turns && !pulled && axis < 0) return 0;
@@ -273,11 +262,12 @@ int rot_pivot_plane(const rot_free_params *p, rot_pivot_pendulum *out) {
   for (int i = 0; i < 3; i++) {
     off = fmax(off, fabs((m[i] - out->moment_kg_m2) * line[i]) / max);
   }
-  off = fmax(off, fmax(fabs(dot(line, g)) / weight, turns || pulled ? fabs(dot(line, down)) : 0.0));
+  off = fmax(off, fmax(fabs(rot_dot(line, g)) / weight,
+                       turns || pulled ? fabs(rot_dot(line, down)) : 0.0));
   if (!(off <= ALIKE)) return 0;
-  const double sign = dot(g, down) < 0.0 ? -1.0 : 1.0;
+  const double sign = rot_dot(g, down) < 0.0 ? -1.0 : 1.0;
   out->weight_n_m = sign * weight;
-  out->angle_rad = atan2(-sign * dot(line, torque), sign * dot(g, down));
-  out->omega_rad_per_s = dot(line, w);
+  out->angle_rad = atan2(-sign * rot_dot(line, torque), sign * rot_dot(g, down));
+  out->omega_rad_per_s = rot_dot(line, w);
   return 1;
 }
