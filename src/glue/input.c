@@ -247,6 +247,18 @@ static SEXP constant_law(double torque_n_m) {
   return law;
 }
 
+/* A law or resistance of zeros alone; R takes it for none. */
+static int is_nothing(SEXP part) {
+  for (R_xlen_t i = 0; TYPEOF(part) == VECSXP && i < XLENGTH(part); i++) {
+    SEXP x = VECTOR_ELT(part, i);
+    if (TYPEOF(x) != REALSXP) return 0;
+    for (R_xlen_t k = 0; k < XLENGTH(x); k++) {
+      if (REAL_RO(x)[k] != 0.0) return 0;
+    }
+  }
+  return 1;
+}
+
 /* => x if it is a part of one class that fits the form; else NULL */
 static SEXP plain_part(const rot_input *input, SEXP x, SEXP form) {
   const unsigned kinds = input->kinds;
@@ -255,7 +267,7 @@ static SEXP plain_part(const rot_input *input, SEXP x, SEXP form) {
   if (kinds & ROT_INPUT_TORQUE) fits = Rf_inherits(x, "rot_torque");
   if (kinds & ROT_INPUT_RESISTANCE) fits |= Rf_inherits(x, "rot_resistance");
   if (kinds & ROT_INPUT_INERTIA) fits |= Rf_inherits(x, "rot_inertia_knots");
-  return fits && Rf_isNull(ffi_form_fault(x, form)) ? x : NULL;
+  return fits && Rf_isNull(ffi_form_fault(x, form)) && !is_nothing(x) ? x : NULL;
 }
 
 SEXP ffi_input_plain(const rot_input *input, SEXP x, SEXP form) {

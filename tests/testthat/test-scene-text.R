@@ -446,3 +446,14 @@ test_that("each law of torque is written by the arguments of its constructor", {
   text <- gsub("\\s", "", write_scene(scene_axle(1, laws$torque_curve)))
   expect_match(text, "\"omega_rad_per_s\":[0,1,4],\"torque_n_m\":[3,2,1]", fixed = TRUE)
 })
+
+test_that("a law or a resistance of zeros alone is the scene without it", {
+  bare <- scene_hash(scene_axle(1))
+  zeros <- list(
+    scene_axle(1, 0), scene_axle(1, torque_constant(0)), scene_axle(1, resistance = resistance()),
+    scene_axle(1, torque_constant(0), resistance(0, 0, 0))
+  )
+  expect_identical(vapply(zeros, scene_hash, ""), rep(bare, 4))
+  # What begins or ends with zero is a law.
+  expect_false(scene_hash(scene_axle(1, torque_knots(c(0, 1), c(0, 1)))) == bare)
+})
