@@ -167,9 +167,9 @@ augment_free <- function(x, run, edges, call) {
 free_torque_at <- function(scene, x) {
   n <- nrow(x)
   torque <- scene$torque
+  if (!n) return(matrix(0, 0, 3))
   if (is.function(torque)) {
     state <- do.call(cbind, unclass(x)[c("time_s", free_rates(""), quaternion_columns)])
-    if (!n) return(matrix(0, 0, 3))
     all <- count_law_arguments(torque, function(n) n) == 3L
     return(t(apply(state, 1, function(at) {
       if (all) torque(at[[1]], unname(at[2:4]), unname(at[5:8])) else torque(at[[1]])

@@ -87,3 +87,14 @@ test_that("impulses at rows within a phase at rest are those of the torque", {
     )
   }
 })
+
+test_that("a motion of no rows has the columns without a warning", {
+  body <- body_box(2, 0.2, 0.3, 0.5)
+  knots <- list(time_s = c(0, 1), x_n_m = c(0, 1), y_n_m = c(0, 0), z_n_m = c(0, 0))
+  for (torque in list(NULL, c(0, 0, 1), knots, function(time_s) c(0, 0, time_s))) {
+    scene <- scene_free(body, c(0, 0, 0), torque = torque)
+    expect_silent(none <- augment(trajectory(scene, double())))
+    expect_named(none, names(augment(trajectory(scene, c(0, 1)))))
+    expect_identical(nrow(none), 0L)
+  }
+})
