@@ -220,10 +220,14 @@ static int correct(rot_radau *r, rot_radau_rhs rhs, void *ctx, double t, double 
   return 0;
 }
 
+/* Beside a kink a correction may be this part of the one before. */
+#define KINKED_RATE 0.5
+
 /* Newton iteration, until the correction is at rounding level or predicts that the next one is. */
 static int iterate(rot_radau *r, rot_radau_rhs rhs, void *ctx, double t, double h, const double y[],
-                   const double allowed[]) {
+                   const double allowed[], int kinked) {
   const size_t n = r->n;
+  const double min_rate = kinked ? KINKED_RATE : 0.0;
   double last = INFINITY;
   for (int k = 0; k < MAX_ITERATIONS; k++) {
     const int code = correct(r, rhs, ctx, t, h, y);
@@ -238,7 +242,7 @@ static int iterate(rot_radau *r, rot_radau_rhs rhs, void *ctx, double t, double 
     }
     if (at_rounding) return 0;
     if (!isfinite(now) || now > 2.0 * last) return ROT_RADAU_DIVERGED;
-    const double rate = k > 0 ? now / last : 1.0;
+    const double rate = k > 0 ? fmax(min_rate, now / last) : 1.0;
     if (k > 0 && rate < 1.0 && now * rate / (1.0 - rate) <= 1e-7) return 0;
     if (k > 2 && rate > 0.9 && now <= 1e-5) return 0; /* rounding of f itself */
     last = now;
@@ -256,14 +260,14 @@ static void embedded_error(const rot_radau *r, double h, const double slope[], d
 }
 
 int rot_radau_step(rot_radau *r, rot_radau_rhs rhs, void *ctx, double t, double h, double y[],
-                   double error[], const double slope[], const double allowed[]) {
+                   double error[], const double slope[], const double allowed[], int kinked) {
   const size_t n = r->n, dim = r->dim;
   guess(r, t, h);
   r->t_end = NAN;
   int code = differentiate(r, rhs, ctx, t, h, y, slope, allowed);
   if (!code && grows_too_fast(r, h)) code = ROT_RADAU_DIVERGED;
   if (!code) code = factor_both(r, h);
-  if (!code) code = iterate(r, rhs, ctx, t, h, y, allowed);
+  if (!code) code = iterate(r, rhs, ctx, t, h, y, allowed, kinked);
   /* The last correction moved the stages by up to a tenth of `allowed` after their slopes were
    * evaluated; the integrals need slopes consistent with the state. */
   if (!code && dim > n) code = slopes_at_stages(r, rhs, ctx, t, h, y);

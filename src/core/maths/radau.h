@@ -28,9 +28,10 @@ void rot_radau_free(rot_radau *r);
 enum { ROT_RADAU_OK, ROT_RADAU_DIVERGED = -1000 };
 
 /* (t, h, y, slope = f(t, y)) => y(t + h) in place, its error. allowed[i] > 0: the caller's
- * tolerance for a step; Newton stops at a small fraction of it. Returns 0, the code of f, or
- * ROT_RADAU_DIVERGED. */
+ * tolerance for a step; Newton stops at a small fraction of it, predicted from the last two
+ * corrections. `kinked`: f may have a kink at the end of the step, where the prediction is too
+ * small. Returns 0, the code of f, or ROT_RADAU_DIVERGED. */
 int rot_radau_step(rot_radau *r, rot_radau_rhs rhs, void *ctx, double t, double h, double y[],
-                   double error[], const double slope[], const double allowed[]);
+                   double error[], const double slope[], const double allowed[], int kinked);
 
 #endif

@@ -16,8 +16,9 @@ static void check_coefficients(void) {
     rot_radau *r = rot_radau_alloc(3, 2);
     double y[] = {0.0, 0.0, 0.0}, error[3];
     const double slope[] = {0.0, power == 0.0 ? 1.0 : 0.0, 0.0}, allowed[] = {1e-6, 1e-6, 1e-6};
-    ROT_CHECK_EQ_INT(rot_radau_step(r, power_of_time, &power, 0.0, 2.0, y, error, slope, allowed),
-                     ROT_RADAU_OK);
+    ROT_CHECK_EQ_INT(
+        rot_radau_step(r, power_of_time, &power, 0.0, 2.0, y, error, slope, allowed, 0),
+        ROT_RADAU_OK);
     const double want = pow(2.0, power + 2.0) / ((power + 1.0) * (power + 2.0));
     ROT_CHECK_REL(y[1], pow(2.0, power + 1.0) / (power + 1.0), 1e-15);
     ROT_CHECK_REL(y[0], want, 1e-15);
@@ -49,7 +50,7 @@ static double stepping(int n, double end, long *calls) {
   for (int i = 0; i < n; i++) {
     const double slope[] = {-y[0] * y[0] * y[0]};
     ROT_CHECK_EQ_INT(
-        rot_radau_step(r, cube, calls, i * (end / n), end / n, y, error, slope, allowed), 0);
+        rot_radau_step(r, cube, calls, i * (end / n), end / n, y, error, slope, allowed, 0), 0);
   }
   rot_radau_free(r);
   return y[0] - 1.0 / sqrt(1.0 + 2.0 * end);
@@ -69,8 +70,8 @@ static void check_stiff(void) {
     rot_radau *r = rot_radau_alloc(1, 1);
     double y[] = {7.0}, error[1];
     const double slope[] = {rate * (1.0 - 7.0)}, allowed[] = {1e-6};
-    ROT_CHECK_EQ_INT(rot_radau_step(r, towards_cosine, &rate, 0.0, 1.0, y, error, slope, allowed),
-                     0);
+    ROT_CHECK_EQ_INT(
+        rot_radau_step(r, towards_cosine, &rate, 0.0, 1.0, y, error, slope, allowed, 0), 0);
     const double settled = (rate * rate * cos(1.0) + rate * sin(1.0)) / (1.0 + rate * rate);
     ROT_CHECK(fabs(y[0] - settled) <= 60.0 / rate + 1e-13);
     rot_radau_free(r);
@@ -93,7 +94,7 @@ static void check_propagation(void) {
       rate[first] = fast ? 4.2 : 3.8;
       const double slope[] = {rate[0], rate[1]}, allowed[] = {1e-3, 1e-3};
       rot_radau *r = rot_radau_alloc(2, 2);
-      ROT_CHECK_EQ_INT(rot_radau_step(r, difference, rate, 0.0, 1.0, y, error, slope, allowed),
+      ROT_CHECK_EQ_INT(rot_radau_step(r, difference, rate, 0.0, 1.0, y, error, slope, allowed, 0),
                        fast ? ROT_RADAU_DIVERGED : ROT_RADAU_OK);
       rot_radau_free(r);
     }
@@ -113,7 +114,7 @@ static void check_stop(void) {
     int left = k;
     double y[] = {1.0}, error[1];
     const double slope[] = {-1.0}, allowed[] = {1e-6};
-    ROT_CHECK_EQ_INT(rot_radau_step(r, says, &left, 0.0, 0.5, y, error, slope, allowed), 42);
+    ROT_CHECK_EQ_INT(rot_radau_step(r, says, &left, 0.0, 0.5, y, error, slope, allowed, 0), 42);
     ROT_CHECK(y[0] == 1.0);
     rot_radau_free(r);
   }
@@ -138,11 +139,11 @@ static void check_digits(void) {
   const double allowed[] = {1e-10, 1e-10};
   double y[] = {1.0, 0.5}, error[2], slope[] = {-1.0, 0.0};
   rot_radau *one = rot_radau_alloc(1, 1), *two = rot_radau_alloc(2, 2);
-  ROT_CHECK_EQ_INT(rot_radau_step(one, square, NULL, 0.0, 0.5, y, error, slope, allowed), 0);
+  ROT_CHECK_EQ_INT(rot_radau_step(one, square, NULL, 0.0, 0.5, y, error, slope, allowed, 0), 0);
   ROT_CHECK_ULP(y[0], 0.6666666666625905220603126, 4);
   y[0] = 1.0;
   slope[0] = 0.5, slope[1] = -sin(1.0);
-  ROT_CHECK_EQ_INT(rot_radau_step(two, pendulum, NULL, 0.0, 1.0, y, error, slope, allowed), 0);
+  ROT_CHECK_EQ_INT(rot_radau_step(two, pendulum, NULL, 0.0, 1.0, y, error, slope, allowed, 0), 0);
   ROT_CHECK_ULP(y[0], 1.056272124833736355523172, 4);
   ROT_CHECK_ULP(y[1], -0.3919652846285381059630473, 8);
   rot_radau_free(one);

@@ -106,8 +106,8 @@ rot_status rot_ode_attempt(rot_ode_stepper *s, double t, double h, const double 
   memcpy(s->trial, y, dim * sizeof *y);
   if (s->method == ROT_METHOD_RADAU) {
     allow(s, h, y, slope);
-    code =
-        rot_radau_step(s->radau, slope_at, law, t, h, s->trial, s->trial_error, slope, s->allowed);
+    code = rot_radau_step(s->radau, slope_at, law, t, h, s->trial, s->trial_error, slope,
+                          s->allowed, law->surfaces->count > 0);
     if (code == ROT_RADAU_DIVERGED) return ROT_ESTEP;
     if (code == GSL_SUCCESS) code = slope_at(t + h, s->trial, s->trial_slope, law);
   } else {

@@ -96,23 +96,29 @@ static void check_rates(void) {
   }
 }
 
-/* omega' = 1 - omega/8 without the dip, t = -8 log(1 - omega/8). */
+/* omega' = 1 - omega/limit without the dip, t = -limit log(1 - omega/limit). */
+typedef struct dip {
+  double limit, at, width;
+} dip;
+
 static rot_status eased(double t, const double x[], double f[], void *ctx) {
-  const double *at = ctx;
+  const dip *d = ctx;
   (void)t;
-  f[0] = (1.0 - x[0] / 8.0) * (x[0] > *at && x[0] < *at + 0.01 ? 0.5 : 1.0);
+  f[0] = (1.0 - x[0] / d->limit) * (x[0] > d->at && x[0] < d->at + d->width ? 0.5 : 1.0);
   return ROT_OK;
 }
 
-static void check_dips(rot_method method, double spacing, double finest) {
+static void check_dips(rot_method method, double limit, double width, double spacing,
+                       double finest) {
   const double start[] = {0.0}, t[] = {2.0};
-  for (double at = 0.05; at < 1.7; at += spacing) {
+  for (double at = 0.05; at < (limit > 2.0 ? 1.7 : 1.2); at += spacing) {
+    dip d = {limit, at, width};
     for (double accuracy = 1e-4; accuracy > finest; accuracy *= 1e-2) {
       rot_info info;
       const rot_ode_params p = {.dim = 1,
                                 .controlled = 1,
                                 .rhs = eased,
-                                .ctx = (void *)&at,
+                                .ctx = &d,
                                 .start = start,
                                 .accuracy = accuracy,
                                 .max_steps = 100000,
@@ -120,10 +126,9 @@ static void check_dips(rot_method method, double spacing, double finest) {
                                 .resolution = 0.005};
       ROT_CHECK_EQ_INT(rot_ode_run(&p, 1, t, y, NULL, error, largest, NULL, &info), ROT_OK);
       /* The dip takes twice its time. */
-      const double more = 8.0 * log((1.0 - at / 8.0) / (1.0 - (at + 0.01) / 8.0));
-      const double omega = -8.0 * expm1(-(2.0 - more) / 8.0);
-      /* An estimate near rounding: 1.5 times the figure at 1e-12 in a tenth of these. */
-      ROT_CHECK(fabs(y[0] - omega) <= fmax(2.0 * error[0], 1e-13));
+      const double more = limit * log((1.0 - at / limit) / (1.0 - (at + width) / limit));
+      const double omega = -limit * expm1(-(2.0 - more) / limit);
+      ROT_CHECK(fabs(y[0] - omega) <= fmax(error[0], 1e-13));
     }
   }
 }
@@ -252,8 +257,11 @@ int main(void) {
   check_rates();
   /* In so few implicit steps their polynomials are unsure: the probes are compared among
    * themselves. The dip is 1.12 times as wide as the resolution. */
-  check_dips(ROT_METHOD_RADAU, 0.073, 1e-11);
-  check_dips(ROT_METHOD_RK8PD, 0.0071, 1e-11);
+  check_dips(ROT_METHOD_RADAU, 8.0, 0.01, 0.073, 1e-11);
+  check_dips(ROT_METHOD_RK8PD, 8.0, 0.01, 0.0071, 1e-11);
+  /* A rate that grows, and one that ends: 1 to 1.4 times as wide as the resolution. */
+  check_dips(ROT_METHOD_RADAU, -3.0, 0.02, 0.0071, 1e-12);
+  check_dips(ROT_METHOD_RADAU, 2.0, 0.01, 0.0071, 1e-12);
   check_resolution();
   check_swings();
   check_held();
