@@ -141,12 +141,12 @@ test_that("steps of fixed length run where they are named, and say what they are
   expect_match(choice$reason[choice$model == "free_rk4"], "only where it is named")
   exact <- trajectory(scene, t)
   for (id in steppers) {
-    motion <- trajectory(scene, t, model = id, accuracy = 1, step_s = 0.004)
+    motion <- trajectory(scene, t, model = id, accuracy = 1, step_s = 0.002)
     run <- trajectory_run(motion)
     expect_identical(c(run$model, run$info$method), c(id, sub("^free_", "", id)))
     off <- max(attitude_difference(motion, exact))
     expect_lte(off, 1.1 * run$info$errors[["attitude"]])
-    expect_match(tibble::tbl_sum(motion)[["Steps"]], "0.004 s")
+    expect_match(tibble::tbl_sum(motion)[["Steps"]], "0.002 s")
     # The same steps, asked later.
     expect_identical(predict(motion, 3.5)$qx, motion$qx[motion$time_s == 3.5])
     expect_identical(audit(motion)$balance[1], "energy")

@@ -15,9 +15,10 @@ enum { PLACES = 32 };
 
 static int order_of(rot_method method) { return method == ROT_METHOD_RK4 ? 4 : 1; }
 
-double rot_ode_fixed_factor(int order) {
-  const double powers = ldexp(1.0, order);
-  return powers / (powers - 1.0) * 0.75 / (0.75 - 0.125 / (powers - 1.0));
+double rot_ode_fixed_factor(int order, double difference, double size) {
+  const double step = size > 0.0 ? pow(difference / size, 1.0 / order) : 0.0;
+  const double next = fmin(0.5, fmax(0.25, 4.0 * step)), power = ldexp(1.0, -order);
+  return (1.0 - next) / (1.0 - power - next * (1.0 - 0.5 * power));
 }
 
 /* The errors of the rows by those of half the step; `distance`: how far the two runs are from each
@@ -25,7 +26,6 @@ double rot_ode_fixed_factor(int order) {
 static void note_errors(const rot_ode_params *p, const rot_ode_output *out, const double half[],
                         size_t rows, size_t half_rows, size_t half_steps, const double distance[],
                         double change[]) {
-  const double factor = rot_ode_fixed_factor(order_of(p->method));
   const double rounding = 4.0 * ROT_EPS * sqrt(1.0 + (double)half_steps);
   for (size_t m = 0; m < rot_ode_measures(p); m++) {
     double max = half_rows < rows ? INFINITY : distance[m];
@@ -35,7 +35,8 @@ static void note_errors(const rot_ode_params *p, const rot_ode_output *out, cons
       const double difference = rot_ode_difference(rot_ode_group_of(p, m), x, change);
       if (!(difference <= max)) max = difference;
     }
-    out->error[m] = factor * max + rounding * out->largest[m];
+    const double size = out->largest[m];
+    out->error[m] = rot_ode_fixed_factor(order_of(p->method), max, size) * max + rounding * size;
   }
 }
 
@@ -49,13 +50,12 @@ rot_status rot_ode_run_fixed(const rot_ode_params *p, const rot_ode_output *out,
   info->status = surfaces && half && scratch ? ROT_OK : ROT_ENOMEM;
   if (info->status == ROT_OK) {
     const int first_mode = p->mode ? *p->mode : 0;
-    const size_t max = (size_t)-1;
     rot_ode_job job = {.p = p,
                        .rows = *out,
                        .method = p->method,
-                       .step_s = 0.5 * p->step_s,
-                       .budget = p->max_steps > max / 4 ? max : 2 * p->max_steps + 64,
-                       .parts = 1,
+                       .step_s = p->step_s,
+                       .budget = p->max_steps,
+                       .parts = 2,
                        .trace = traces[0],
                        .surfaces = surfaces,
                        .largest = scratch + dim,
@@ -66,13 +66,12 @@ rot_status rot_ode_run_fixed(const rot_ode_params *p, const rot_ode_output *out,
     job.rows.y = half;
     job.rows.slope = NULL;
     const rot_status second = rot_ode_run_once(&job, hooks, info);
-    const size_t half_rows = info->rows_done, half_steps = info->steps;
+    const size_t half_rows = info->rows_done, half_steps = 2 * info->steps;
     if (second != ROT_EUNWIND && second != ROT_ENOMEM) {
       for (size_t i = 0; out->slope && i < out->n; i++) out->slope[i] = NAN;
       job.rows = *out;
       job.trace = traces[1];
-      job.step_s = p->step_s;
-      job.budget = p->max_steps;
+      job.parts = 1;
       job.largest = out->largest;
       if (p->mode) *p->mode = first_mode;
       rot_ode_run_once(&job, hooks, info);
@@ -122,5 +121,5 @@ double rot_fixed_cost_s(const rot_model *model, const rot_query *query, double s
                         const rot_time_scales *time_scales) {
   const double span = span_of(query->n, query->time_s, start_s);
   const double steps = fmin(span / rot_fixed_step_s(time_scales, span), 1e300) + (double)query->n;
-  return 3.0 * steps * (model->seconds[0] + (calls ? query->law_s : 0.0));
+  return 4.0 * steps * (model->seconds[0] + (calls ? query->law_s : 0.0));
 }

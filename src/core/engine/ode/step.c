@@ -17,7 +17,7 @@ rot_status rot_ode_stepper_open(rot_ode_stepper *s) {
   const size_t dim = s->law->p->dim;
   s->system = (gsl_odeiv2_system){slope_at, NULL, dim, s->law};
   if (rot_ode_is_fixed(s->method)) {
-    s->stage = malloc(2 * dim * sizeof *s->stage);
+    s->stage = malloc(4 * dim * sizeof *s->stage);
   } else if (s->method == ROT_METHOD_RADAU) {
     s->radau = rot_radau_alloc(dim, s->law->p->controlled);
   } else {
@@ -82,7 +82,15 @@ static rot_status fixed_step(rot_ode_stepper *s, double t, double h, const doubl
 static rot_status attempt_fixed(rot_ode_stepper *s, double t, double h, const double y[],
                                 const double slope[]) {
   const size_t controlled = s->law->p->controlled;
-  rot_status status = fixed_step(s, t, h, y, slope);
+  const double part = h / (double)s->fixed_parts;
+  double *from = s->stage + 2 * s->law->p->dim, *rise = from + s->law->p->dim;
+  rot_status status = fixed_step(s, t, part, y, slope);
+  for (size_t k = 1; k < s->fixed_parts && status == ROT_OK; k++) {
+    const double start = t + (double)k * part;
+    memcpy(from, s->trial, s->law->p->dim * sizeof *from);
+    status = rot_ode_slope_at(s->law, start, from, rise);
+    if (status == ROT_OK) status = fixed_step(s, start, part, from, rise);
+  }
   if (status == ROT_OK) status = rot_ode_slope_at(s->law, t + h, s->trial, s->trial_slope);
   for (size_t i = 0; i < controlled; i++) {
     const int large = !(fabs(s->trial[i]) <= LARGEST_STATE) || fabs(y[i]) > LARGEST_STATE;

@@ -13,16 +13,17 @@ typedef struct rot_ode_stepper {
   const rot_ode_state *state; /* its sizes */
   rot_method method;
   double tolerance;
-  double fixed_s; /* > 0: the length of all steps */
-  double h;       /* the step that the error test would like next */
-  double noise;   /* of a segment that began at rest: what cancels in its slope there */
+  double fixed_s;     /* > 0: the length of all steps */
+  size_t fixed_parts; /* into which each is divided */
+  double h;           /* the step that the error test would like next */
+  double noise;       /* of a segment that began at rest: what cancels in its slope there */
   double *trial, *trial_error, *trial_slope; /* of the last attempt; dim each, as all below */
   double *allowed;                           /* what Newton's iteration may leave */
   rot_ode_calls calls;                       /* of the last attempt */
   gsl_odeiv2_step *rk;
   gsl_odeiv2_system system;
   rot_radau *radau;
-  double *stage; /* of RK4: a state, its slope */
+  double *stage; /* of RK4: a state, its slope; where a part of a step begins, the same */
 } rot_ode_stepper;
 
 /* The tools of its method; ROT_ENOMEM. */

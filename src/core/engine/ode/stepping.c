@@ -377,6 +377,7 @@ rot_status rot_ode_run_once(rot_ode_job *job, const rot_hooks *hooks, rot_info *
   if (job->stiff) run.law.stiffness = &run.stiffness;
   run.step.method = job->method;
   run.step.fixed_s = job->step_s;
+  run.step.fixed_parts = job->parts;
   run.step.tolerance = job->tolerance;
   run.kinks.found = job->reference ? NULL : job->kinks;
   run.reference.parts = job->parts;

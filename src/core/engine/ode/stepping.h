@@ -14,7 +14,7 @@ typedef struct rot_ode_job {
   double tolerance;
   size_t budget;
   const rot_ode_trace *reference;   /* of both sides, or NULL: the error test rules */
-  size_t parts;                     /* of its steps */
+  size_t parts;                     /* of its steps; of those of fixed length, of its own */
   rot_ode_trace *trace;             /* of both sides */
   rot_ode_trajectory *trajectory;   /* of both sides, or NULL */
   rot_ode_kinks *kinks;             /* takes those of a run without a reference */

@@ -241,6 +241,7 @@ typedef struct run {
   stepper s;
   double start[MAX];
   double step_s; /* > 0 */
+  int parts;     /* of each step and of each row's */
   size_t n, max_steps, rows_done;
   const double *time_s;
   double *y; /* n rows of s.dim components */
@@ -272,12 +273,22 @@ static int finite_state(const run *r, const double y[]) {
   return isfinite(sum);
 }
 
+/* (t, h, state) => the state after h, in its parts. */
+static rot_status step_in_parts(run *r, double t, double h, double y[]) {
+  const double part = h / r->parts;
+  rot_status status = ROT_OK;
+  for (int k = 0; k < r->parts && status == ROT_OK; k++) {
+    status = one_step(&r->s, t + k * part, part, y);
+  }
+  return status;
+}
+
 /* state at the end of a step => row i at time t, by a shorter step. */
 static rot_status write_at(run *r, double t, const double y[], size_t i) {
   double *row = r->y + i * r->s.dim;
   rot_status status = ROT_OK;
   memcpy(row, y, r->s.dim * sizeof *row);
-  if (r->time_s[i] != t) status = one_step(&r->s, t, r->time_s[i] - t, row);
+  if (r->time_s[i] != t) status = step_in_parts(r, t, r->time_s[i] - t, row);
   row[WORK] += r->s.potential - potential_of(r->s.p, row);
   if (status == ROT_OK && !finite_state(r, row)) status = ROT_ERANGE;
   if (status != ROT_OK) r->failed_s = r->time_s[i];
@@ -318,7 +329,7 @@ static rot_status go(run *r, int forward, size_t first, size_t end) {
         r->failed_s = t;
         return ROT_EBUDGET;
       }
-      rot_status status = one_step(&r->s, t, next - t, y);
+      rot_status status = step_in_parts(r, t, next - t, y);
       if (status == ROT_OK && !finite_state(r, y)) status = ROT_ERANGE;
       r->s.steps++;
       if (status == ROT_OK && r->s.steps % 4096 == 0) {
@@ -402,12 +413,12 @@ double rot_free_default_step(const rot_free_params *p, rot_method method, double
   return span_s > 0.0 ? 1e-3 * span_s : 1.0;
 }
 
-/* Errors of the rows of `r`, from a run with half its step. */
+/* Errors of the rows of `r`, from a run with the halves of its steps. */
 static void note_errors(const run *r, const run *half, double flow_error[], rot_info *info) {
   const rot_free_rotors *rotors = &r->s.rotors;
   const double *m = r->s.p->moment_kg_m2;
-  const double factor = rot_ode_fixed_factor(rot_free_step_order(r->s.method));
-  const double rounding = 4.0 * ROT_EPS * sqrt(1.0 + (double)half->s.steps);
+  const int order = rot_free_step_order(r->s.method);
+  const double rounding = 4.0 * ROT_EPS * sqrt(1.0 + half->parts * (double)half->s.steps);
   double angle = 0.0, omega = 0.0, momentum = 0.0;
   for (int f = 0; f < ROT_FREE_FLOWS; f++) flow_error[f] = 0.0;
   for (size_t i = 0; i < r->rows_done; i++) {
@@ -416,7 +427,7 @@ static void note_errors(const run *r, const run *half, double flow_error[], rot_
     const int both = i < half->rows_done;
     if (!both) angle = omega = momentum = INFINITY;
     if (!both) break;
-    angle = fmax(angle, factor * rot_attitude_angle(x, y));
+    angle = fmax(angle, rot_attitude_angle(x, y));
     rot_attitude_to_space(x, x + MOMENTUM, in_x);
     rot_attitude_to_space(y, y + MOMENTUM, in_y);
     omega_of(&r->s, x, wx);
@@ -429,12 +440,21 @@ static void note_errors(const run *r, const run *half, double flow_error[], rot_
     for (size_t k = 0; k < rotors->n_states; k++) {
       by_rotors = hypot(by_rotors, x[ROTORS + k] - y[ROTORS + k]);
     }
-    omega = fmax(omega, factor * by_omega);
-    momentum = fmax(momentum, factor * fmax(by_momentum, by_rotors));
+    omega = fmax(omega, by_omega);
+    momentum = fmax(momentum, fmax(by_momentum, by_rotors));
     for (int f = 0; f < ROT_FREE_FLOWS; f++) {
       /* of differences between two rows, which may be on both sides of the start */
-      flow_error[f] = fmax(flow_error[f], 2.0 * factor * fabs(x[STATE + f] - y[STATE + f]));
+      flow_error[f] = fmax(flow_error[f], fabs(x[STATE + f] - y[STATE + f]));
     }
+  }
+  const double by_angle = rot_ode_fixed_factor(order, angle, 1.0),
+               by_omega = rot_ode_fixed_factor(order, omega, r->largest_omega),
+               by_momentum = rot_ode_fixed_factor(order, momentum, r->largest_momentum);
+  angle *= by_angle;
+  omega *= by_omega;
+  momentum *= by_momentum;
+  for (int f = 0; f < ROT_FREE_FLOWS; f++) {
+    flow_error[f] *= 2.0 * fmax(by_angle, fmax(by_omega, by_momentum));
   }
   rot_info_measures(info, rot_free_measures);
   info->measure[ROT_FREE_ATTITUDE] = (rot_measure){fmin(angle + rounding, PI), 1.0, 1.0, 1.0};
@@ -465,6 +485,7 @@ rot_status rot_free_step_through(const rot_free_params *p, const rot_free_step_o
   if (!y) return info->status = ROT_ENOMEM;
   run r = {.s = {.p = p, .rotors = rotors, .dim = dim, .method = options->method},
            .step_s = options->step_s,
+           .parts = 1,
            .n = n,
            .max_steps = options->max_steps,
            .time_s = time_s,
@@ -478,8 +499,7 @@ rot_status rot_free_step_through(const rot_free_params *p, const rot_free_step_o
   r.s.potential = potential_of(p, r.start);
   rot_attitude_to_space(r.start, r.start + MOMENTUM, r.s.l0);
   run half = r;
-  half.step_s *= 0.5;
-  half.max_steps = options->max_steps > (size_t)-1 / 4 ? (size_t)-1 : 2 * options->max_steps + 64;
+  half.parts = 2;
   half.y = y + room;
   half.from = r.to;
   half.to = 1.0;

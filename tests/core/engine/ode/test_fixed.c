@@ -182,8 +182,8 @@ static void test_default_step(void) {
   check_near(rot_fixed_step_s(&swing, 10.0), 3.14159265358979 / 64.0, 1e-15);
   check_near(rot_fixed_step_s(&fades, 10.0), 0.5 / 64.0, 1e-16);
   check_near(rot_fixed_step_s(&none, 10.0), 0.01, 1e-17);
-  check_near(rot_ode_fixed_factor(1), 2.4, 1e-15);
-  check_near(rot_ode_fixed_factor(4), 1.0786516853932584, 1e-15);
+  check_near(rot_ode_fixed_factor(1, 0.01, 1.0), 2.4, 1e-15);
+  check_near(rot_ode_fixed_factor(4, 1e-6, 1.0), 1.0786516853932584, 1e-15);
 }
 
 /* With one row, wherever it is, one of the two measures may have no error there: the estimate is of
@@ -210,11 +210,31 @@ static void check_one_row(void) {
   }
 }
 
+/* A row within the first step, or after few steps of up to a twelfth of a turn. */
+static void check_few_steps(void) {
+  static const rot_method methods[] = {ROT_METHOD_EULER, ROT_METHOD_SEMI_IMPLICIT, ROT_METHOD_RK4};
+  const double start[] = {0.6, 0.8, 0.0, 0.0};
+  for (int m = 0; m < 3; m++) {
+    int missed = 0;
+    for (int i = 1; i <= 60; i++) {
+      block b = {0.0, 0};
+      static result got;
+      const double t = 0.025 * i;
+      ROT_CHECK(solve(problem(&b, start, methods[m], 0.5), 1, &t, &got) == ROT_OK);
+      missed += fabs(got.y[0][0] - (0.6 * cos(t) + 0.8 * sin(t))) > got.error[0];
+      missed += fabs(got.y[0][1] - (0.8 * cos(t) - 0.6 * sin(t))) > got.error[1];
+    }
+    printf("few steps: %d of 120 missed\n", missed);
+    ROT_CHECK(missed == 0);
+  }
+}
+
 int main(void) {
   test_methods();
   test_friction();
   test_ends();
   test_default_step();
   check_one_row();
+  check_few_steps();
   return rot_test_report("ode_fixed");
 }
