@@ -16,7 +16,7 @@ drive_constraint <- function() {
       c(.Call(ffi_scene_time_scales, "drive", scene, as.double(sizes)), list(drifts = TRUE))
     },
     periods = drive_periods,
-    stops = stops_at_rest(stop_theta_rad = "theta_rad"),
+    stops = stops_at_rest(stop_theta_rad = "theta_rad", goes_on = drive_goes_on),
     summary = function(x, run, call) {
       whole <- function(column) {
         if (!is.null(x[[column]])) rowsum(x[[column]], as.character(x$time_s))
@@ -173,6 +173,41 @@ read_drive <- function(bodies, couplings = list(), torque = NULL, resistance = N
     theta0_rad = theta0_rad, omega0_rad_per_s = omega0_rad_per_s, start_s = start_s
   )
 }
+
+# Why a drive under laws that no longer change never rests once it moves, or NULL: where friction
+# holds no rotor of a part of it and nothing damps that part, it swings on between those that are
+# held; constant torques beyond all friction drive it on.
+drive_goes_on <- function(scene) {
+  kind <- coupling_kinds(scene)
+  rotors <- seq_along(scene$moment_of_inertia_kg_m2)
+  unit <- cumsum(c(TRUE, kind != "gear"))
+  friction_n_m <- vapply(rotors, function(i) {
+    brake <- scene$brake[[i]]
+    law <- brake$capacity_n_m
+    capacity <- if (is.null(brake)) 0 else if (is_knots(law)) law$outside[2] else Inf
+    max(0, capacity) * (brake$static_ratio %||% 1) + (scene$resistance[[i]]$static_n_m %||% 0)
+  }, double(1))
+  steady <- vapply(rotors, function(i) {
+    is.null(scene$torque[[i]]) || is_knots(scene$torque[[i]])
+  }, NA)
+  resists <- c("viscous_n_m_s", "quadratic_n_m_s2")
+  damps <- !steady | vapply(rotors, function(i) any(unlist(scene$resistance[[i]][resists]) > 0), NA)
+  at <- function(which) unit %in% c(unit[-length(unit)][which], unit[-1][which])
+  damps <- damps | at(of_couplings(scene, "damping_n_m_s") > 0)
+  lossy <- kind == "gear" & of_couplings(scene, "efficiency") < 1
+  held <- unit %in% unit[friction_n_m > 0] | at(kind == "clutch")
+  part <- cumsum(c(TRUE, unit[-1] != unit[-length(unit)] & (held[-1] | held[-length(held)])))
+  loose <- which(!(held | part %in% part[damps | at(lossy)]))
+  if (length(loose)) return(paste0("no friction holds rotor ", loose[1], ", and nothing damps it"))
+  if (any(kind == "clutch" | lossy) || !all(steady)) return(NULL)
+  torque_n_m <- vapply(rotors, function(i) scene$torque[[i]]$outside[2] %||% 0, double(1))
+  driven_n_m <- abs(sum(torque_n_m / scene$ratio_to_first))
+  if (driven_n_m > (1 + 1e-9) * sum(abs(friction_n_m / scene$ratio_to_first))) {
+    "the torques are more than all friction holds"
+  }
+}
+
+is_knots <- function(law) inherits(law, "rot_torque_knots")
 
 # Rotors joined by gears turn as one. With the product P of all ratios before a rotor, inertias to
 # the first shaft are J/P^2 and springs k/P^2.

@@ -29,7 +29,8 @@
 #'   infinite where it is accelerated for good.
 #' @section Errors: `rotdyn_error_type`; `rotdyn_error_model` where the closed form does not fit
 #'   (see [choose_model()], model `axle_drag`), where a law changes in time or is a function, and
-#'   where nothing is seen to stop: a scene without dry friction, or one still in motion 4^10 s
+#'   where nothing is seen to stop: a scene without dry friction, a drive that swings on or is driven
+#'   by more than all friction, or one still in motion 4^10 s
 #'   after the last change of its laws (4^30 s where at most 1000 steps lead there).
 #' @source Riccati's equation; Armstrong-Helouvry, Control of Machines with Friction (1991), chapter
 #'   2.
@@ -98,14 +99,16 @@ terminal_omega <- function(scene, omega, call) {
 # ---- by the motion itself -----------------------------------------------------------------------
 
 # Of a scene that dry friction or a brake stops; `...`: columns of the place, by the names of the
-# answer.
-stops_at_rest <- function(...) {
+# answer. `goes_on`: a function of a scene, why it never rests once it moves; or NULL.
+stops_at_rest <- function(..., goes_on = function(scene) NULL) {
   place <- c(...)
   function(scene, call) {
     constraint <- constraint_of(scene)
     held <- c("friction", "brake") %in% core_effects(constraint$id, scene)
     if (!any(held)) abort_never_rests(scene, call)
-    found <- rest_of_motion(scene, "omega_rad_per_s", call) %||% abort_no_stop(call)
+    why <- goes_on(scene)
+    found <- rest_of_motion(scene, "omega_rad_per_s", call, if (is.null(why)) 30 else 0) %||%
+      abort_no_stop(call, why)
     at <- stats::setNames(unclass(found$row)[place], names(place))
     do.call(as_table, c(unclass(found$row)[constraint$index], stop_time_s = found$time_s, at))
   }
@@ -113,8 +116,8 @@ stops_at_rest <- function(...) {
 
 # The time from which a motion that ends at rest is at rest, and its row: NULL if it is not seen to
 # end so in 4^10 s beyond the last change of a law, 4^30 s where few steps lead there. `rates`: the
-# columns that are 0 at rest.
-rest_of_motion <- function(scene, rates, call) {
+# columns that are 0 at rest; `last`: 30, or as many such times as are looked at.
+rest_of_motion <- function(scene, rates, call, last = 30) {
   changes <- last_change(list(
     scene[["torque"]], scene[["force"]], scene[["brake"]], scene[["couplings"]]
   ))
@@ -127,7 +130,7 @@ rest_of_motion <- function(scene, rates, call) {
   run <- function(time_s) {
     suppressWarnings(compute_trajectory(scene, time_s, 1e-9, NULL, "abort", 1e6, call))
   }
-  for (k in 0:30) {
+  for (k in 0:last) {
     motion <- tryCatch(
       run(max(scene$start_s, changes) + 4^k), rotdyn_error_budget = function(e) NULL
     )
@@ -181,9 +184,10 @@ abort_never_rests <- function(scene, call) {
   ), "model", call)
 }
 
-abort_no_stop <- function(call) {
+abort_no_stop <- function(call, why = NULL) {
   abort_rotdyn(c(
-    "This scene is not seen to stop, in 1e6 s at least.",
+    if (is.null(why)) "This scene is not seen to stop, in 1e6 s at least." else "It does not stop.",
+    x = if (!is.null(why)) paste0("In this scene ", why, "."),
     i = "{.fn trajectory} and {.fn motion_events} show the motion."
   ), "model", call)
 }

@@ -139,7 +139,40 @@ test_that("a stop is found as late as few steps lead there", {
   expect_equal(late$stop_time_s, 1e12, tolerance = 1e-9)
   expect_equal(late$stop_theta_rad, 5e11, tolerance = 1e-9)
   driven <- scene_drive(1, torque = 2, resistance = resistance(coulomb_n_m = 1))
-  expect_error(stopping(driven), "not seen to stop", class = "rotdyn_error_model")
+  expect_error(stopping(driven), "more than all friction", class = "rotdyn_error_model")
+})
+
+test_that("a drive that swings or is driven on is refused without a search", {
+  dry <- resistance(coulomb_n_m = 5)
+  drive <- function(...) scene_drive(c(0.5, 0.2), coupling_shaft(800), ...)
+  swings <- drive(torque = list(1, NULL), brake = list(brake(5), NULL), omega0_rad_per_s = c(3, 3))
+  took <- system.time(expect_error(
+    stopping(swings), "no friction holds rotor 2, and nothing damps it",
+    class = "rotdyn_error_model"
+  ))
+  expect_lt(took[["elapsed"]], 2)
+  driven <- drive(torque = list(20, NULL), resistance = list(dry, dry))
+  took <- system.time(expect_error(
+    stopping(driven), "more than all friction", class = "rotdyn_error_model"
+  ))
+  expect_lt(took[["elapsed"]], 2)
+  # At rest from the start, though rotor 2 would swing on.
+  rests <- stopping(drive(torque = list(1, NULL), resistance = list(dry, NULL)))
+  expect_identical(rests$stop_time_s, c(0, 0))
+  # A gear, a damper or the friction of the neighbour across a gear: it may stop.
+  goes_on <- drive_goes_on
+  held <- list(dry, NULL)
+  expect_null(goes_on(scene_drive(c(1, 1), coupling_gear(2), resistance = held)))
+  expect_null(goes_on(scene_drive(c(1, 1), coupling_shaft(9, 0.1), resistance = held)))
+  expect_null(goes_on(scene_drive(
+    c(1, 1), coupling_shaft(9), resistance = list(dry, resistance(0.1))
+  )))
+  expect_null(goes_on(scene_drive(
+    c(1, 1, 1), list(coupling_shaft(9), coupling_gear(2)), resistance = list(dry, NULL, dry)
+  )))
+  expect_match(goes_on(scene_drive(
+    c(1, 1, 1), list(coupling_gear(2), coupling_shaft(9)), resistance = list(dry, NULL, NULL)
+  )), "rotor 3")
 })
 
 test_that("drag alone stops no body on an incline: its terminal speed", {

@@ -6,8 +6,8 @@
  *
  * Steps have the length asked for from the start, a break or an event that changes the law; the
  * last one before the next is shorter. A row between two ends of steps takes a shorter step from
- * the one before. The error is found by a second run, with the halves of each step, the shorter ones
- * included.
+ * the one before. The error is found by a second run, which takes each step in two halves, the
+ * shorter ones included.
  *
  * Reference: Hairer, Norsett & Wanner, Solving Ordinary Differential Equations I, II.1 and II.4. */
 #ifndef ROT_ODE_FIXED_H
@@ -16,10 +16,11 @@
 #include "engine/model.h"
 #include "engine/ode/rows.h"
 
-/* What the difference of a run of this order and one of half its steps is worth, as the error of the
- * first: 2^n/(2^n - 1), but for the next order's part of it, which may be a quarter with the other
- * sign: 2.4 at order 1, 1.08 at 4. That part goes with the step, the difference with its n-th power:
- * from 0.06 and 2e-5 of the motion's `size` on the part is larger, at last a half: 4 and 1.10. */
+/* What the difference of a run of this order and one of half its steps is worth, as the error of
+ * the first: 2^n/(2^n - 1), but for the next order's part of it, which may be a quarter with the
+ * other sign: 2.4 at order 1, 1.08 at 4. That part goes with the step, the difference with its n-th
+ * power: from 0.06 and 2e-5 of the motion's `size` on the part is larger, at last a half: 4 and
+ * 1.10. */
 double rot_ode_fixed_factor(int order, double difference, double size);
 
 /* As rot_ode_run(), with p->method of those above and p->step_s > 0. */
