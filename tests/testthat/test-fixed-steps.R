@@ -145,3 +145,15 @@ test_that("work_precision() shows the ladder beside the closed form", {
   expect_gt(min(table$true_error[table$model == "axle_euler"]), 0.1)
   expect_lt(max(table$true_error[table$model == "axle_rk4"]), 1e-5)
 })
+
+test_that("equal rises round alike, and the error figure knows it", {
+  for (omega in c(3, 1.7, 0.123, 9.81)) {
+    scene <- scene_axle(1, 0, omega0_rad_per_s = omega)
+    for (model in c("axle_euler", "axle_semi_implicit", "axle_rk4")) {
+      motion <- trajectory(scene, c(0, 2), model = model, step_s = 0.001)
+      off <- abs(motion$theta_rad[2] / (2 * omega) - 1)
+      expect_lte(off, glance(motion)$error)
+      expect_lte(glance(motion)$error, 2e-13)
+    }
+  }
+})

@@ -21,12 +21,16 @@ double rot_ode_fixed_factor(int order, double difference, double size) {
   return (1.0 - next) / (1.0 - power - next * (1.0 - 0.5 * power));
 }
 
+double rot_ode_fixed_rounding(double steps) {
+  return ROT_EPS * (6.0 * sqrt(1.0 + steps) + 0.125 * steps);
+}
+
 /* The errors of the rows by those of half the step; `distance`: how far the two runs are from each
  * other at the steps in front of a row. */
 static void note_errors(const rot_ode_params *p, const rot_ode_output *out, const double half[],
-                        size_t rows, size_t half_rows, size_t half_steps, const double distance[],
+                        size_t rows, size_t half_rows, size_t steps, const double distance[],
                         double change[]) {
-  const double rounding = 4.0 * ROT_EPS * sqrt(1.0 + (double)half_steps);
+  const double rounding = rot_ode_fixed_rounding((double)steps);
   for (size_t m = 0; m < rot_ode_measures(p); m++) {
     double max = half_rows < rows ? INFINITY : distance[m];
     for (size_t i = 0; i < rows && i < half_rows; i++) {
@@ -66,7 +70,7 @@ rot_status rot_ode_run_fixed(const rot_ode_params *p, const rot_ode_output *out,
     job.rows.y = half;
     job.rows.slope = NULL;
     const rot_status second = rot_ode_run_once(&job, hooks, info);
-    const size_t half_rows = info->rows_done, half_steps = 2 * info->steps;
+    const size_t half_rows = info->rows_done, steps = info->steps;
     if (second != ROT_EUNWIND && second != ROT_ENOMEM) {
       for (size_t i = 0; out->slope && i < out->n; i++) out->slope[i] = NAN;
       job.rows = *out;
@@ -83,7 +87,7 @@ rot_status rot_ode_run_fixed(const rot_ode_params *p, const rot_ode_output *out,
         rot_ode_differences(&traces[1][forward], &traces[0][forward], &job, forward, first,
                             n > first ? n - first : 0, PLACES, 0.0, scratch, distance);
       }
-      note_errors(p, out, half, info->rows_done, half_rows, half_steps, distance, scratch);
+      note_errors(p, out, half, info->rows_done, half_rows, steps, distance, scratch);
     }
     info->step_s = p->step_s;
   }

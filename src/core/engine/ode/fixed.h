@@ -23,6 +23,10 @@
  * 1.10. */
 double rot_ode_fixed_factor(int order, double difference, double size);
 
+/* Rounding of this many steps, relative to the size of what they add up: at random, and alike where
+ * each adds the same (at most 0.121 eps for a step in 300 sums of 500 to 4000 equal numbers). */
+double rot_ode_fixed_rounding(double steps);
+
 /* As rot_ode_run(), with p->method of those above and p->step_s > 0. */
 rot_status rot_ode_run_fixed(const rot_ode_params *p, const rot_ode_output *out,
                              const rot_hooks *hooks, rot_info *info);

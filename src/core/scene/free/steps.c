@@ -418,7 +418,7 @@ static void note_errors(const run *r, const run *half, double flow_error[], rot_
   const rot_free_rotors *rotors = &r->s.rotors;
   const double *m = r->s.p->moment_kg_m2;
   const int order = rot_free_step_order(r->s.method);
-  const double rounding = 4.0 * ROT_EPS * sqrt(1.0 + half->parts * (double)half->s.steps);
+  const double rounding = rot_ode_fixed_rounding((double)half->s.steps);
   double angle = 0.0, omega = 0.0, momentum = 0.0;
   for (int f = 0; f < ROT_FREE_FLOWS; f++) flow_error[f] = 0.0;
   for (size_t i = 0; i < r->rows_done; i++) {
