@@ -259,8 +259,7 @@ between_thirds <- function(fit, time, y, kind, restoring, losses, best) {
   parts <- lapply(1:3, function(i) {
     rows <- time >= cuts[i] & time <= cuts[i + 1]
     if (sum(rows) < 12L || cuts[2] - cuts[1] < 1.5 * best$period) return(NULL)
-    origin <- time[1]
-    model <- function(p) free_motion(p, time[rows], origin, kind, restoring)
+    model <- swing_model(time[rows], time[1], kind, restoring, best)
     active <- match(rownames(fit$covariance), swing_parameters)
     third <- least_squares(model, y[rows], unname(fit$p), active)
     if (is.null(third)) return(NULL)

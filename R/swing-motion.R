@@ -23,6 +23,17 @@ free_motion <- function(p, time, start, kind, restoring) {
   list(value = value, derivative = derivative)
 }
 
+# (times, their origin) => motion by its parameters, NULL away from the swings that were counted:
+# their period is known to some per cent, and a half swing to a fifth of the one before is damped by
+# less than half of omega0. Losses below 0 make limit cycles of any other omega0.
+swing_model <- function(time, start, kind, restoring, best) {
+  counted <- 2 * pi / best$period0
+  function(p) {
+    near <- p[[3]] > 0.8 * counted && p[[3]] < 1.25 * counted && abs(p[[4]]) < 0.6 * p[[3]]
+    if (isTRUE(near)) free_motion(p, time, start, kind, restoring)
+  }
+}
+
 # Levenberg and Marquardt with the core's derivatives, for the parameters `active`. NULL where it
 # fails.
 least_squares <- function(model, y, p, active, rounds = 60L) {
@@ -44,7 +55,7 @@ least_squares <- function(model, y, p, active, rounds = 60L) {
       if (!all(is.finite(step))) return(NULL)
       new <- p
       new[active] <- p[active] + step / norm
-      trial <- if (new[3] > 0) model(new)
+      trial <- model(new)
       sum <- if (is.null(trial)) Inf else sum((y - trial$value)^2)
       if (sum <= total) {
         small <- sum((j %*% step)^2) <= 1e-16 * total + floor
@@ -122,7 +133,7 @@ fit_free_motion <- function(time, y, kind, restoring, losses, best, start) {
   span <- time[n] - time[1]
   if (n < 10L || span < 1.4 * best$period) return(NULL)
   origin <- time[1]
-  model <- function(at) function(p) free_motion(p, at, origin, kind, restoring)
+  model <- function(at) swing_model(at, origin, kind, restoring, best)
   wanted <- 3 + match(intersect(swing_losses, losses), swing_losses)
   always <- c(1L, 2L, 3L, 7L)
   # First a few swings with one loss, then more of them, so that the phase stays known.
@@ -235,8 +246,8 @@ settle <- function(at, y, p, active, noise, model, block) {
     if (round == 6L || isTRUE(small) || !all(is.finite(solved$step))) break
     new <- p
     new[active] <- p[active] + solved$step
-    trial <- if (new[3] > 0) model(new)
-    if (is.null(trial)) break
+    trial <- model(new)
+    if (is.null(trial)) return(NULL)
     p <- new
     now <- trial
   }

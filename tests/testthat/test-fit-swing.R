@@ -364,3 +364,41 @@ test_that("the error of a period is that of the scatter of its swings", {
   # A standard deviation of 0.0093 s; neighbours that may be correlated leave 8/3 of the eight.
   expect_equal(found$u, sqrt(6e-4 / 7) / sqrt(8 / 3), tolerance = 1e-6)
 })
+
+# A trifilar pendulum at 1.17 rad is no spring: its restoring torque bends, its period is
+# T = 4 int_0^(pi/2) sqrt((I + m h'^2) (h + h_A)/(2 m g R r (1 - k^2 sin^2 phi))) dphi with
+# sin(theta/2) = k sin phi.
+test_that("a law that does not fit gives the period of the swings, and ends", {
+  height <- function(theta) sqrt(0.6^2 - 0.07^2 - 4 * 0.006 * sin(theta / 2)^2)
+  slope <- function(theta) -0.006 * sin(theta) / height(theta)
+  motion <- function(x) {
+    h1 <- slope(x[1])
+    h2 <- (-0.006 * cos(x[1]) - h1^2) / height(x[1])
+    c(x[2], 0.9 * h1 * (9.80665 - h2 * x[2]^2) / (0.002 + 0.9 * h1^2))
+  }
+  x <- matrix(c(1.17, 0), 2, 1500)
+  for (i in 1:1499) {
+    k1 <- motion(x[, i])
+    k2 <- motion(x[, i] + 0.01 * k1)
+    k3 <- motion(x[, i] + 0.01 * k2)
+    k4 <- motion(x[, i] + 0.02 * k3)
+    x[, i + 1] <- x[, i] + 0.02 / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+  }
+  k <- sin(1.17 / 2)
+  quarter <- stats::integrate(function(phi) {
+    theta <- 2 * asin(k * sin(phi))
+    sqrt((0.002 + 0.9 * slope(theta)^2) * (height(theta) + height(1.17)) /
+           (2 * 0.9 * 9.80665 * 0.006 * (1 - (k * sin(phi))^2)))
+  }, 0, pi / 2, rel.tol = 1e-10)
+  for (seed in c(1, 3, 4)) {
+    set.seed(seed)
+    y <- x[1, ] + stats::rnorm(1500, sd = 1e-3)
+    on.exit(setTimeLimit())
+    setTimeLimit(elapsed = 60)
+    fit <- fit_swing(data.frame(time_s = 0:1499 / 50, theta_rad = y), "spring")
+    setTimeLimit()
+    expect_false(fit$law_complete)
+    expect_lt(abs(fit$period_s$value - 4 * quarter$value), 4 * fit$period_s$u)
+    expect_lt(fit$period_s$u, 1e-3)
+  }
+})

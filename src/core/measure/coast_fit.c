@@ -323,33 +323,43 @@ static void solve_small(size_t n, double a[3][3], double y[3]) {
   }
 }
 
+/* (fit, losses to fix at 0 as bits) => p at the minimum of the quadratic model with them at 0, its
+ * increase of the sum of squares */
+static double hold(const rot_coast_fit *fit, int set, double p[ALL]) {
+  int at[3], held = 0;
+  double a[3][3] = {{0}}, y[3] = {0}, cost = 0.0;
+  for (int i = 0; i < 3; i++) {
+    if (set >> i & 1) at[held++] = ROT_COAST_COULOMB + i;
+  }
+  for (int i = 0; i < held; i++) {
+    for (int j = 0; j < held; j++) a[i][j] = fit->covariance[at[i]][at[j]];
+    y[i] = fit->p[at[i]];
+  }
+  solve_small((size_t)held, a, y);
+  for (int i = 0; i < held; i++) cost += y[i] * fit->p[at[i]];
+  for (int k = 0; k < ALL; k++) {
+    p[k] = fit->p[k];
+    for (int j = 0; j < held; j++) p[k] -= fit->covariance[k][at[j]] * y[j];
+  }
+  for (int i = 0; i < held; i++) p[at[i]] = 0.0;
+  return cost;
+}
+
 /* => set of losses fixed at 0 (bits) with the smallest increase of the quadratic model, among the
  * sets for which no other loss is negative */
-static int choose_held(const rot_coast_fit *fit, const int fitted[], int min_set) {
-  int best = 7;
+static int choose_held(const rot_coast_fit *fit, const int fitted[]) {
+  int all = 0;
+  for (int i = 0; i < 3; i++) all |= fitted[ROT_COAST_COULOMB + i] ? 1 << i : 0;
+  int best = all;
   double min = INFINITY;
-  for (int set = 0; set < 8; set++) {
-    int at[3], held = 0, inside = 1;
-    if ((set & min_set) != min_set) continue;
-    for (int i = 0; i < 3; i++) {
-      if (!(set >> i & 1)) continue;
-      if (!fitted[ROT_COAST_COULOMB + i]) inside = 0;
-      at[held++] = ROT_COAST_COULOMB + i;
-    }
-    if (!inside) continue;
-    double a[3][3] = {{0}}, y[3] = {0}, cost = 0.0;
-    for (int i = 0; i < held; i++) {
-      for (int j = 0; j < held; j++) a[i][j] = fit->covariance[at[i]][at[j]];
-      y[i] = fit->p[at[i]];
-    }
-    solve_small((size_t)held, a, y);
-    for (int i = 0; i < held; i++) cost += y[i] * fit->p[at[i]];
+  for (int set = 0; set <= all; set++) {
+    double p[ALL];
+    int inside = 1;
+    if (set & ~all) continue;
+    const double cost = hold(fit, set, p);
     for (int i = 0; i < 3; i++) {
       const int k = ROT_COAST_COULOMB + i;
-      double value = fit->p[k];
-      if (!fitted[k] || set >> i & 1) continue;
-      for (int j = 0; j < held; j++) value -= fit->covariance[k][at[j]] * y[j];
-      if (value < 0.0) inside = 0;
+      if (fitted[k] && p[k] < 0.0) inside = 0;
     }
     if (inside && cost < min) {
       min = cost;
@@ -362,7 +372,6 @@ static int choose_held(const rot_coast_fit *fit, const int fitted[], int min_set
 rot_status rot_coast_bound(const rot_coast_record *record, const int fitted[ROT_COAST_ALL],
                            const rot_hooks *hooks, rot_coast_fit *fit, int at_bound[3]) {
   int some[ALL], set = 0;
-  const rot_coast_fit free_fit = *fit;
   rot_status status = ROT_OK;
   memset(at_bound, 0, 3 * sizeof *at_bound);
   for (int turn = 0; turn < 4 && status == ROT_OK; turn++) {
@@ -371,13 +380,17 @@ rot_status rot_coast_bound(const rot_coast_record *record, const int fitted[ROT_
       if (fitted[ROT_COAST_COULOMB + i] && fit->p[ROT_COAST_COULOMB + i] < 0.0) below |= 1 << i;
     }
     if (!below) break;
-    set = turn == 0 ? choose_held(&free_fit, fitted, 0) : set | below;
+    if (turn == 0) below = choose_held(fit, fitted);
+    set |= below;
+    /* With a loss at 0 the others may be far from where they were: the fit starts at the minimum
+     * of the quadratic model. */
+    double p[ALL];
+    hold(fit, below, p);
+    memcpy(fit->p, p, sizeof p);
     memcpy(some, fitted, sizeof some);
     for (int i = 0; i < 3; i++) {
-      at_bound[i] = set >> i & 1 && fitted[ROT_COAST_COULOMB + i];
-      if (!at_bound[i]) continue;
-      fit->p[ROT_COAST_COULOMB + i] = 0.0;
-      some[ROT_COAST_COULOMB + i] = 0;
+      at_bound[i] = set >> i & 1;
+      if (at_bound[i]) some[ROT_COAST_COULOMB + i] = 0;
     }
     status = rot_coast_solve(record, some, hooks, fit);
   }

@@ -122,6 +122,25 @@ static void check_bounds(void) {
   ROT_CHECK(held > 25 && held < 75);
 }
 
+/* A record that does not separate the losses: with two of them at 0 the third is far from where it
+ * was without a bound. */
+static void check_dependent(void) {
+  uint64_t seed = 3;
+  for (int trial = 0; trial < 100; trial++) {
+    const double p[P] = {0.0, 19.7, 1.6e-3, 3.2e-4, 1.6e-6, 1.0, 0.0};
+    sample s;
+    int at_bound[3];
+    make(&s, ROT_COAST_ANGLES, MAX, 30.0, p, 0.028, &seed);
+    rot_coast_fit fit = start_at(19.0);
+    ROT_CHECK(rot_coast_solve(&s.record, s.fitted, NULL, &fit) == ROT_OK);
+    const double free_squares = fit.squares;
+    ROT_CHECK(rot_coast_bound(&s.record, s.fitted, NULL, &fit, at_bound) == ROT_OK);
+    /* No loss is larger than it were alone: 1.6e-3 + 3.2e-4 omega + 1.6e-6 omega^2. */
+    ROT_CHECK(fit.p[ROT_COAST_QUADRATIC] < 5e-5);
+    ROT_CHECK(fit.squares >= free_squares * (1.0 - 1e-9) && fit.squares < 1.1 * free_squares);
+  }
+}
+
 /* Runout of the sensor, 0.02 rad once a turn: found, of that size; none where there is none. */
 static void check_runout(void) {
   uint64_t seed = 13;
@@ -208,6 +227,7 @@ int main(void) {
   check_exact();
   check_errors();
   check_bounds();
+  check_dependent();
   check_runout();
   check_weight();
   check_far_starts();
