@@ -147,7 +147,8 @@ coast_words <- function(x, fit) {
       label("noise"), format(sigma, digits = 3), " ", c("rad", "rad/s", "s")[first$kind + 1],
       if (any(tau > 0)) {
         paste0(
-          ", ", if (slow < 0.95) paste0(round(100 * slow), " % of its variance "),
+          ", ", if (slow < 0) "neighbours anti",
+          if (slow > 0 && slow < 0.95) paste0(round(100 * slow), " % of its variance "),
           "correlated over ", format(max(tau), digits = 2), " s"
         )
       } else {

@@ -557,7 +557,7 @@ column_list <- list(
   c("breaks", "1", "breaks found or given"),
   c("order", "1", "order of the process"),
   c("correlation_time_s", "s", "correlation time of the errors, 0 where they are white"),
-  c("white_share", "1", "share of the errors' variance that is white"),
+  c("white_share", "1", "share of the errors' variance that is white; > 1: anticorrelated"),
   c("log10_smoothness", "1", "log10 of q h^(2p-1)/sigma^2, with the mean spacing h"),
   c(
     "smoothness", "",

@@ -315,7 +315,7 @@ law_test <- function(at, found, extra, noise, exact, period) {
 # the slow part by its own memory, or a period's quarter if that is longer.
 swing_dof <- function(time, noise, fitted, period) {
   n <- length(time)
-  if (noise[["tau_s"]] > 0) {
+  if (noise[["tau_s"]] > 0 && noise[["white"]] < 1) {
     share <- 1 - noise[["white"]]
     memory <- min(2 * noise[["tau_s"]], period / 2)
     slow <- (time[n] - time[1]) / memory

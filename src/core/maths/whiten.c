@@ -34,11 +34,12 @@ rot_status rot_whiten(const rot_noise *noise, size_t n, const double t[], size_t
   double state[ROT_WHITEN_COLUMNS] = {0}, sum = 0.0;
   if (columns > ROT_WHITEN_COLUMNS) return ROT_EVALUE;
   if (logdet) *logdet = 0.0;
-  if (!(noise->tau_s > 0.0) || noise->white >= 1.0) return ROT_OK;
+  if (!(noise->tau_s > 0.0) || noise->white == 1.0) return ROT_OK;
   filter f = filter_from(noise);
   for (size_t i = 0; i < n; i++) {
     const double decay = i > 0 ? filter_wait(&f, t[i] - t[i - 1]) : 1.0;
     const double variance = f.spread + f.white, k = f.spread / variance;
+    if (!(variance > 0.0)) return ROT_ERANGE;
     const double scale = 1.0 / sqrt(variance);
     double *row = x + i * columns;
     for (size_t j = 0; j < columns; j++) {
@@ -61,6 +62,7 @@ typedef struct problem {
   double *z;                /* n x (p + 1): orthonormal columns, the residual */
   double *work;             /* of the size of z */
   double log_low, log_high; /* range of log tau */
+  double spacing;           /* of anticorrelated noise: that of the samples; else 0 */
   size_t evaluations;
   double logdet; /* of the last evaluation */
 } problem;
@@ -103,15 +105,28 @@ static double deviance(problem *q, const rot_noise *noise) {
   return q->logdet + fixed + (double)(n - p) * log(rest);
 }
 
-/* Coordinates: log tau, log(white/(1 - white)). A penalty beyond their ends keeps the minimum
- * inside. */
-static const double LOGIT_END = 9.0;
+/* Coordinates: log tau, log(f/(1 - f)). f is the white fraction; of anticorrelated noise 1 -
+ * 1/white over its limit (1 - rho)/(1 + rho), at which the power at frequency 0 vanishes. A penalty
+ * beyond their ends keeps the minimum inside. */
+static const double LOGIT_END = 9.0, ANTI_END = 3.0;
+
+/* => limit of 1 - 1/white of anticorrelated noise */
+static double anti_limit(const problem *q, double tau) { return tanh(0.5 * q->spacing / tau); }
 
 static rot_noise noise_at(const problem *q, const double x[2], double *cost) {
-  const double a = fmin(fmax(x[0], q->log_low), q->log_high);
-  const double b = fmin(fmax(x[1], -LOGIT_END), LOGIT_END);
+  const int anti = q->spacing > 0.0;
+  const double a = fmin(fmax(x[0], q->log_low), q->log_high), tau = exp(a);
+  const double b = fmin(fmax(x[1], -LOGIT_END), anti ? ANTI_END : LOGIT_END);
+  const double f = 1.0 / (1.0 + exp(-b));
   *cost = fabs(x[0] - a) + fabs(x[1] - b);
-  return (rot_noise){exp(a), 1.0 / (1.0 + exp(-b))};
+  return (rot_noise){tau, anti ? 1.0 / (1.0 - f * anti_limit(q, tau)) : f};
+}
+
+static void place_of(const problem *q, const rot_noise *noise, double x[2]) {
+  const int anti = q->spacing > 0.0;
+  const double f = anti ? (1.0 - 1.0 / noise->white) / anti_limit(q, noise->tau_s) : noise->white;
+  x[0] = log(noise->tau_s);
+  x[1] = log(f / (1.0 - f));
 }
 
 static double deviance_at(problem *q, const double x[2]) {
@@ -227,6 +242,9 @@ static double median_spacing(size_t n, const double t[], double work[]) {
 
 enum { TIMES = 6, FRACTIONS = 3, STARTS = 3 };
 
+/* Anticorrelated noise makes errors smaller: it takes more to find it. */
+static const double ANTI_SPACINGS = 4.0, ANTI_THRESHOLD = 5.0;
+
 /* (deviance `white` of white noise) => `out`, the noise of the smallest deviance if it gains more
  * than the threshold. Starts at `near` or at the best points of a grid. */
 static rot_status search(problem *q, double white, double threshold, const rot_noise *near,
@@ -235,8 +253,7 @@ static rot_status search(problem *q, double white, double threshold, const rot_n
   double start[STARTS][2], height[STARTS], best = white - threshold;
   int starts = 0;
   if (near) {
-    start[0][0] = log(near->tau_s);
-    start[0][1] = log(near->white / (1.0 - near->white));
+    place_of(q, near, start[0]);
     height[0] = deviance_at(q, start[0]);
     starts = 1;
   } else {
@@ -294,7 +311,7 @@ rot_status rot_whiten_reml(size_t n, const double t[], size_t p, const double J[
   if (n < p + 4) return ROT_OK;
   double *z = malloc(2 * n * (p + 1) * sizeof *z);
   if (!z) return ROT_ENOMEM;
-  problem q = {n, p, t, z, z + n * (p + 1), 0.0, 0.0, 0, 0.0};
+  problem q = {n, p, t, z, z + n * (p + 1), 0.0, 0.0, 0.0, 0, 0.0};
   rot_status status = ROT_OK;
   const double spacing = median_spacing(n, t, z);
   if (spacing > 0.0 && cap_s > spacing) {
@@ -313,7 +330,14 @@ rot_status rot_whiten_reml(size_t n, const double t[], size_t p, const double J[
     }
     if (rest > 0.0) {
       const double white = (double)(n - kept) * log(rest);
-      status = search(&q, white, threshold, near, hooks, out);
+      const int anti = near && near->white > 1.0;
+      if (!anti) status = search(&q, white, threshold, near, hooks, out);
+      if (status == ROT_OK && (anti || (!near && !(out->noise.tau_s > 0.0)))) {
+        q.spacing = spacing;
+        q.log_high = fmin(q.log_high, log(ANTI_SPACINGS * spacing));
+        status = search(&q, white, ANTI_THRESHOLD * threshold, near, hooks, out);
+        out->at_cap = 0;
+      }
     }
     if (out->noise.tau_s > 0.0) {
       deviance(&q, &out->noise);

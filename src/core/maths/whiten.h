@@ -2,7 +2,7 @@
  *
  * The covariance of two samples is sigma^2 [(1 - white) exp(-|t - t'|/tau) + white (same sample)]:
  * an Ornstein-Uhlenbeck process plus white noise. A scalar Kalman filter whitens columns in linear
- * time, for any spacing. tau = 0 is white noise.
+ * time, for any spacing. tau = 0 is white noise; white > 1: neighbours are anticorrelated.
  *
  * Reference: Harville 1977, J. Am. Stat. Assoc. 72, 320 (REML). */
 #ifndef ROT_WHITEN_H
@@ -16,7 +16,7 @@ enum { ROT_WHITEN_COLUMNS = 16 }; /* at most */
 
 typedef struct rot_noise {
   double tau_s; /* correlation time, >= 0 */
-  double white; /* white fraction of the variance, 0 to 1 */
+  double white; /* white fraction of the variance, > 0; > 1: the other part is negative */
 } rot_noise;
 
 typedef struct rot_reml {
@@ -29,7 +29,7 @@ typedef struct rot_reml {
 
 /* (noise, t, x) => whitened x in place, log |V/sigma^2| (logdet may be NULL). x has n rows of
  * `columns` numbers; times do not decrease. ROT_EVALUE, with x unchanged, for more than
- * ROT_WHITEN_COLUMNS. */
+ * ROT_WHITEN_COLUMNS; ROT_ERANGE if the noise has no positive variance at these times. */
 rot_status rot_whiten(const rot_noise *noise, size_t n, const double t[], size_t columns,
                       double x[], double *logdet);
 

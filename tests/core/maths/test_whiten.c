@@ -4,7 +4,7 @@
 #include "rot_test.h"
 #include "maths/whiten.h"
 
-enum { N = 40 };
+enum { N = 40, MANY = 400 };
 
 static double uniform(uint64_t *state) {
   *state = *state * 6364136223846793005u + 1442695040888963407u;
@@ -158,6 +158,41 @@ static void check_columns(void) {
   ROT_CHECK(white > 85);
 }
 
+/* Noise e_i - 0.6 e_(i-1): its mean has (1 - 0.6)^2/(1 + 0.6^2) = 0.118 of the variance that white
+ * noise of its size would give it. */
+static void check_anticorrelated(void) {
+  uint64_t seed = 8;
+  double square = 0.0;
+  int found = 0;
+  for (int trial = 0; trial < 200; trial++) {
+    double t[MANY], r[MANY], J[MANY], w[2 * MANY], last = normal(&seed), xx = 0.0, xy = 0.0,
+                                                   yy = 0.0;
+    for (int i = 0; i < MANY; i++) {
+      const double e = normal(&seed);
+      t[i] = 0.1 * i;
+      r[i] = e - 0.6 * last;
+      last = e;
+      J[i] = 1.0;
+    }
+    rot_reml out;
+    ROT_CHECK(rot_whiten_reml(MANY, t, 1, J, r, 2.0, 2.0, NULL, NULL, &out) == ROT_OK);
+    found += out.noise.white > 1.0;
+    for (int i = 0; i < MANY; i++) {
+      w[2 * i] = J[i];
+      w[2 * i + 1] = r[i];
+    }
+    ROT_CHECK(rot_whiten(&out.noise, MANY, t, 2, w, NULL) == ROT_OK);
+    for (int i = 0; i < MANY; i++) {
+      xx += w[2 * i] * w[2 * i];
+      xy += w[2 * i] * w[2 * i + 1];
+      yy += w[2 * i + 1] * w[2 * i + 1];
+    }
+    square += xy * xy / xx / ((yy - xy * xy / xx) / (MANY - 1)) / 200.0;
+  }
+  ROT_CHECK(found > 150);
+  ROT_CHECK(square > 0.6 && square < 1.5);
+}
+
 /* The search ends where twice the log likelihood is known to 1e-3: some dozen values of it. */
 static void check_effort(void) {
   uint64_t seed = 5;
@@ -184,6 +219,7 @@ int main(void) {
   check_max_columns();
   check_reml();
   check_columns();
+  check_anticorrelated();
   check_effort();
   return rot_test_report("whiten");
 }
