@@ -61,7 +61,7 @@ coast_units <- list(
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_value` (a body at rest, one that speeds up),
 #'   `rotdyn_error_size` (fewer samples than 3 more than what is fitted), `rotdyn_error_argument`
 #'   (a torque without an inertia), `rotdyn_error_torque` (one that is not constant between jumps),
-#'   `rotdyn_error_range` (no fit).
+#'   `rotdyn_error_range` (no fit; times or values beyond 1e-60 to 1e60).
 #' @source Riccati's equation for the motion; Harville, J. Am. Stat. Assoc. 72, 320 (1977) for REML.
 #' @seealso [loss_budget()], [retarding_torque()], [compare_laws()], [motion_record()].
 #' @concept coast-down
@@ -255,6 +255,7 @@ fit_run <- function(run, at, losses, load, inertia, runout, noise, call) {
   if (runout == "fit") fitted[run_waves(run, call)] <- 1
   n <- length(run$time_s)
   check_turns_at_all(run, call)
+  if (n > 0L) check_magnitudes(run$time_s, run$value, call)
   if (n < sum(fitted) + 3L) {
     abort_rotdyn(c(
       "Run {run$name} has too few samples.",
@@ -304,7 +305,7 @@ unpack_run <- function(out, problem) {
 coast_dof <- function(time_s, numbers) {
   n <- length(time_s)
   tau <- numbers[["tau_s"]]
-  if (tau > 0) {
+  if (tau > 0 && numbers[["white"]] < 1) {
     span <- time_s[n] - time_s[1]
     slow <- (1 - numbers[["white"]]) * 2 * tau
     share <- slow / (slow + numbers[["white"]] * span / (n - 1))

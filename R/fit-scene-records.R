@@ -108,16 +108,34 @@ fit_observables <- function(scene, call) {
   sub("^final_", "", grep("^final_", outputs, value = TRUE))
 }
 
+# Whole counts from the first: sums of decimals differ in their last bits.
+counts_of <- function(y, step) round((y - y[!is.nan(y)][1]) / step)
+
 # Of counts that go to and fro the times tell no place: they are digits with noise, or the motion
 # turns within a count (rotors on a shaft: 95 % intervals held 62 %).
-reverses <- function(y) {
-  moved <- sign(diff(y[!is.nan(y)]))
+reverses <- function(counts) {
+  moved <- sign(diff(counts[!is.nan(counts)]))
   length(unique(moved[moved != 0])) > 1L
 }
 
-weight_of_counts <- function(y) {
-  counts <- rle(replace(y, is.nan(y), Inf))
-  sqrt(rep(counts$lengths, counts$lengths))
+weight_of_counts <- function(counts) {
+  size <- rle(replace(counts, is.nan(counts), Inf))$lengths
+  size <- rep(size, size)
+  known <- which(!is.nan(counts))
+  steps <- rle(diff(counts[known]))
+  n <- length(steps$values)
+  # Where the speed passes a whole number of counts a sample the error stands still as it does at
+  # rest: the steps before such a run differ from those after it. Errors of short runs average out.
+  before <- c(NA, steps$values[-n])
+  behind <- c(steps$values[-1], NA)
+  still <- steps$values != 0 & steps$lengths >= max(4, length(known) / 10) &
+    (is.na(before) | is.na(behind) | before != behind)
+  last <- cumsum(steps$lengths)
+  for (i in which(still)) {
+    rows <- known[seq(last[i] - steps$lengths[i] + 1L, last[i] + 1L)]
+    size[rows] <- pmax(size[rows], length(rows))
+  }
+  sqrt(size)
 }
 
 # A record with the least s.d. of its columns, of counters D/sqrt(12), and with weights: s.d. of
@@ -134,8 +152,12 @@ by_edges <- function(record) {
   }, double(1))
   record$floor <- as.list(step / sqrt(12))
   record$all <- record$series
-  record$weight <- Map(function(y, step) if (step > 0) weight_of_counts(y), record$series, step)
-  if (length(step) > 1L || step == 0 || reverses(record$series[[1]])) return(record)
+  record$weight <- Map(function(y, step) {
+    if (step > 0) weight_of_counts(counts_of(y, step))
+  }, record$series, step)
+  if (length(step) > 1L || step == 0 || reverses(counts_of(record$series[[1]], step))) {
+    return(record)
+  }
   y <- replace(record$series[[1]], is.nan(record$series[[1]]), NA)
   edges <- edges_of(list(
     rates_only = FALSE, omega = NULL, step = step, theta = y, segment = segment,

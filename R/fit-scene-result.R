@@ -9,7 +9,7 @@ fit_dof <- function(found, about) {
   }))
   n <- vapply(seq_len(ncol(noise)), function(k) {
     tau <- noise[3L, k]
-    if (!(tau > 0)) return(noise[1L, k])
+    if (!(tau > 0 && noise[4L, k] < 1)) return(noise[1L, k])
     slow <- (1 - noise[4L, k]) * 2 * tau
     share <- slow / (slow + noise[4L, k] * spans[k] / (noise[1L, k] - 1))
     1 / (share^2 * 2 * tau / spans[k] + (1 - share)^2 / noise[1L, k])
@@ -112,9 +112,14 @@ edge_limits <- function(fit, held, call) {
     side <- if (fit$found$held[k] < 0) 1 else -1
     base <- fixed_squares(fit, k, x[k])
     rise <- function(h) min(fixed_squares(fit, k, x[k] + side * h) - base - grown, 1e6)
-    h <- max(abs(x[k]), 1e-3) * 1e-3
+    unit <- max(abs(x[k]), 1e-3)
+    h <- 1e-3 * unit
     while (h < 1e12 && rise(h) < 0) h <- 2 * h
-    root <- stats::uniroot(rise, c(h / 2, h), tol = 0.01 * h, extendInt = "upX")$root
+    while (h > 1e-12 * unit && rise(h / 2) > 0) h <- h / 2
+    # Without a rise the record gives no limit; below 1e-12 it gives that.
+    root <- if (rise(h) < 0) Inf else if (rise(h / 2) > 0) h else {
+      stats::uniroot(rise, c(h / 2, h), tol = 0.01 * h)$root
+    }
     if (side > 0) upper[i] <- x[k] + root else lower[i] <- x[k] - root
   }
   list(lower = lower, upper = upper)
@@ -178,8 +183,13 @@ print.rot_fit <- function(x, ...) {
   cat(paste0(
     "  noise of ", noise$column, ": ", format_each(signif(noise$sigma, 3)),
     ifelse(noise$unit == "1", "", paste0(" ", noise$unit)),
-    ifelse(noise$tau_s > 0, paste0(", correlated over ", format_each(signif(noise$tau_s, 2)), " s"),
-           "")
+    ifelse(noise$tau_s > 0, paste0(
+      ifelse(noise$white > 1, ", neighbours anticorrelated over ", ", correlated over "),
+      format_each(signif(noise$tau_s, 2)), " s"
+    ), ""),
+    ifelse(noise$trend == 1, "", paste0(
+      ", ", format_each(signif(noise$trend, 2)), " times as large at the end"
+    ))
   ), sep = "\n")
   tests <- verdict_rows(fit)
   told <- tests[tests$test %in% c("wrong law", "outliers") & tests$finding != "none found", ]
@@ -209,7 +219,9 @@ noise_table <- function(fit) {
     }, 0L)),
     column = column, unit = unit_of_column(column),
     n = noise[1L, ], sigma = noise[2L, ], tau_s = noise[3L, ], white = noise[4L, ],
-    at_cap = noise[5L, ] > 0, gain = noise[6L, ]
+    at_cap = noise[5L, ] > 0, gain = noise[6L, ], trend = unlist(lapply(records, function(r) {
+      vapply(names(r$series), function(name) r$trend[[name]] %||% 1, 1)
+    }))
   )
 }
 

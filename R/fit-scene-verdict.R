@@ -39,7 +39,9 @@ verdict_rows <- function(fit) {
           scan$p, NA_real_, if (known) p_size
         ),
         finding = c(
-          if (one$tau_s > 0) {
+          if (one$tau_s > 0 && one$white > 1) {
+            "neighbours are anticorrelated: the errors allow for it"
+          } else if (one$tau_s > 0) {
             paste0("correlated over ", format(one$tau_s, digits = 2),
                    " s: the errors allow for it")
           } else {
@@ -143,6 +145,13 @@ compare_laws.rot_fit <- function(fit, ...) {
     problem <- one$about$problem
     problem$start <- one$found$x
     problem$given <- all[[best]]$found$noise
+    problem$records <- Map(function(record, of_best) {
+      record$series <- Map(function(one, other) {
+        one$weight <- other$weight
+        one
+      }, record$series, of_best$series)
+      record
+    }, problem$records, all[[best]]$about$problem$records)
     for (i in seq_len(nrow(gone) %||% 0L)) {
       problem$records[[gone$record[i]]]$series[[gone$column[i]]]$y[gone$row[i]] <- NaN
     }

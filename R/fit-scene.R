@@ -20,7 +20,8 @@
 #'
 #' Derivatives are differences of exact motions, with steps that follow from the error figure of the
 #' motion. The noise of each column is white, or white and an Ornstein-Uhlenbeck process, by
-#' restricted likelihood (REML).
+#' restricted likelihood (REML); neighbours may be anticorrelated. Where its size grows or falls
+#' over a record, samples weigh by it.
 #'
 #' **Outliers**: a sample whose residual, without the correlation of the noise, exceeds 4.5 standard
 #' deviations and differs as much from the median of the four nearest is left out and named, as long
@@ -74,7 +75,8 @@
 #'   than unknowns; `rotdyn_error_range` for a start whose motion or residuals leave double
 #'   precision; `rotdyn_error_type`. An error of an R function is passed on; where `build` or the
 #'   constructors in it refuse the numbers of a step, the step is shortened. A fit that does not
-#'   converge, or whose records repeat rows, comes with a warning of class `rotdyn_warning_fit`.
+#'   converge, whose records repeat rows, or whose counts are rounded down, comes with a warning of
+#'   class `rotdyn_warning_fit`.
 #' @source More, Lecture Notes in Mathematics 630, 105 (1978) for the steps; Harville, J. Am. Stat.
 #'   Assoc. 72, 320 (1977) for REML.
 #' @seealso [fit_coast_down()], [fit_swing()], [sweep_inputs()], [motion_record()].
@@ -147,8 +149,12 @@ fit_scene <- function(scene, records, unknown, ..., build = NULL, lower = NULL, 
   about$prior <- check_priors(prior, about, call)
   about$problem <- fit_problem(about, call)
   found <- solve_fit(about, starts, call)
-  cleaned <- list(about = about, found = found)
-  if (about$outliers != "keep") cleaned <- without_outliers(about, found)
+  cleaned <- with_growing_noise(about, found)
+  if (about$outliers != "keep") {
+    cleaned <- without_outliers(cleaned$about, cleaned$found)
+    cleaned <- with_growing_noise(cleaned$about, cleaned$found)
+  }
+  warn_rounded_down(cleaned$about, cleaned$found, call)
   new_scene_fit(cleaned$about, without_drift(cleaned$about, cleaned$found), call)
 }
 
@@ -538,6 +544,86 @@ outliers_of <- function(about, found) {
     }
   }
   do.call(rbind, rows) %||% data.frame(record = integer(), column = integer(), row = integer())
+}
+
+# ---- noise that grows ---------------------------------------------------------------------------
+
+# The fit with weights for a noise whose s.d. grows or falls over a record as exp(slope t): its
+# factor from the first sample to the last in record$trend. Of a counter the counts give them.
+with_growing_noise <- function(about, found) {
+  if (!is.character(about$noise)) return(list(about = about, found = found))
+  for (round in 1:4) {
+    before <- list(about = about, found = found)
+    if (found$numbers[1] != 0) break
+    at <- 0
+    for (r in seq_along(about$records)) {
+      record <- about$records[[r]]
+      for (k in seq_along(record$series)) {
+        rows <- at + seq_along(record$time_s)
+        at <- at + length(record$time_s)
+        if (record$floor[[k]] > 0) next
+        slope <- trend_of(record$time_s, found$white[rows], found$fitted[rows], record$series[[k]])
+        if (slope == 0) next
+        name <- names(record$series)[k]
+        x <- record$time_s - mean(record$time_s[is.finite(found$white[rows])])
+        weight <- exp(slope * x) * (record$weight[[name]] %||% 1)
+        about$records[[r]]$weight[[name]] <- about$problem$records[[r]]$series[[k]]$weight <- weight
+        about$records[[r]]$trend[[name]] <- weight[length(weight)] / weight[1]
+      }
+    }
+    if (identical(about, before$about)) break
+    problem <- about$problem
+    problem$start <- found$x
+    again <- .Call(ffi_fit, problem, NULL)
+    if (!is.null(again$refused) || again$numbers[1] != 0) return(before)
+    again$others <- found$others
+    found <- again
+  }
+  list(about = about, found = found)
+}
+
+# The slope of the logarithm of the noise's s.d. over time; 0 where chance explains it, for exact
+# data, and where the law fails.
+trend_of <- function(time_s, e, fitted, y) {
+  here <- is.finite(e)
+  x <- time_s[here] - mean(time_s[here])
+  size <- abs(e[here])
+  if (length(x) < 30L || max(abs(y - fitted)[here]) < 1e-9 * max(abs(y[here]))) return(0)
+  spread <- sqrt(sum(x^2))
+  slope <- sum(x * log(pmax(size, 0.01 * mean(size)))) / spread^2
+  # The logarithm of a normal number's size has the s.d. pi/sqrt(8).
+  if (!isTRUE(abs(slope) * spread > 4 * pi / sqrt(8))) return(0)
+  even <- e[here] * exp(-slope * x)
+  if (scan_residuals(even / sqrt(mean(even^2)))$p < 1e-3) 0 else slope
+}
+
+# Counts that are rounded down are half a count from the angle: with an offset of this size, which
+# is not fitted, the motion fits better.
+warn_rounded_down <- function(about, found, call) {
+  columns <- unlist(lapply(about$records, function(r) {
+    names(r$series)[unlist(r$floor, use.names = FALSE) > 0]
+  }))
+  if (found$numbers[1] != 0 || nrow(about$parameters) >= 14L) return(invisible())
+  for (column in setdiff(columns, about$offset)) {
+    more <- about
+    more$offset <- c(about$offset, column)
+    more$parameters <- fit_parameters(more)
+    known <- match(about$parameters$name, more$parameters$name)
+    more$parameters$start[known] <- found$x
+    problem <- fit_problem(more, call)
+    again <- tryCatch(.Call(ffi_fit, problem, NULL), rotdyn_error = function(e) NULL)
+    if (is.null(again) || !is.null(again$refused) || again$numbers[1] != 0) next
+    k <- setdiff(seq_len(nrow(more$parameters)), known)
+    u <- sqrt(matrix(again$covariance, nrow(more$parameters))[k, k])
+    half <- max(vapply(about$records, function(r) r$floor[[column]] %||% 0, 0)) * sqrt(3)
+    # Not the half count of a law that fails.
+    if (!isTRUE(u < half / 6 && abs(abs(again$x[k]) - half) < 3 * u + half / 5)) next
+    warn_rotdyn(c(
+      "The zero of {.field {column}} is off by half a count: the counts may be rounded down.",
+      i = "An offset of {format_si(again$x[k], 3)} fits better: give {.code offset = \"{column}\"},
+           or {.code floor = TRUE} to {.fn motion_record}."
+    ), "fit", call)
+  }
 }
 
 abort_refused_fit <- function(found, about, call) {

@@ -67,7 +67,8 @@
 #'     of the interval) and `motion` (the fitted motion, its losses at least 0).
 #' @section Errors: `rotdyn_error_size` where fewer than three passages are found,
 #'   `rotdyn_error_value` also for a pendulum with amplitudes beyond pi (degrees?) and for a record
-#'   without a free swing, `rotdyn_error_type`, `rotdyn_error_missing`, `rotdyn_error_argument`, and
+#'   without a free swing, `rotdyn_error_range` for times or values beyond 1e-60 to 1e60,
+#'   `rotdyn_error_type`, `rotdyn_error_missing`, `rotdyn_error_argument`, and
 #'   those of [motion_record()].
 #' @source Borwein and Borwein, Pi and the AGM (1987), section 1.1; for the noise Harville, J. Am.
 #'   Stat. Assoc. 72, 320 (1977).
@@ -111,6 +112,7 @@ swing_fit_of <- function(record, arg, restoring, losses, limits, call) {
     time = as.double(record$time_s[keep]), y = as.double(record[[kind]][keep]),
     segment = record$segment[keep]
   )
+  if (nrow(data)) check_magnitudes(data$time, data$y, call)
   swings_of(data, kind, restoring, losses, call)
 }
 

@@ -964,6 +964,20 @@ find_resolution <- function(x, segment) {
   NA_real_
 }
 
+# Squares, products and quotients of times and values must be numbers, too.
+check_magnitudes <- function(time_s, value, call) {
+  span <- diff(range(time_s))
+  size <- max(abs(value - value[1]))
+  if (length(value) < 2L || size == 0 || span == 0) return(invisible())
+  magnitudes <- c(span, size, size / span)
+  if (all(magnitudes > 1e-60 & magnitudes < 1e60)) return(invisible())
+  abort_rotdyn(c(
+    "The times or values of the record are too large or too small to be fitted.",
+    x = "It lasts {format_si(span, 3)} s, its values differ by {format_si(size, 3)}.",
+    i = "Check their units."
+  ), "range", call)
+}
+
 # ---- the class -----------------------------------------------------------------------------------
 
 record_measured <- c(

@@ -676,3 +676,81 @@ test_that("a search that strays to motions of millions of steps comes back", {
   )
   expect_true(all(abs(coef(fit) - c(1, 0.003, 0.25)) < 4 * sqrt(diag(vcov(fit)))))
 })
+
+# A mass that coasts without loss: theta = omega0 t, by weighted least squares of a closed form.
+test_that("noise that grows tenfold: samples weigh by it, intervals hold the truth", {
+  time_s <- 0:400 / 50
+  coast <- scene_axle(1, theta0_rad = 0.1, omega0_rad_per_s = 2)
+  score <- NULL
+  for (seed in 1:60) {
+    set.seed(seed)
+    theta_rad <- 0.1 + 2 * time_s + 0.002 * rnorm(401) * 10^(time_s / 8)
+    fit <- fit_scene(
+      coast, data.frame(time_s, theta_rad), c("theta0_rad", "omega0_rad_per_s")
+    )
+    score <- cbind(score, (fit$value - c(0.1, 2)) / fit$standard_error)
+  }
+  weight <- 0.002 * 10^(time_s / 8)
+  x <- cbind(1, time_s) / weight
+  expect_equal(fit$standard_error, unname(sqrt(diag(solve(crossprod(x))))), tolerance = 0.15)
+  expect_true(all(abs(rowMeans(score^2) - 1) < 4 * sqrt(2 / 60)))
+  expect_equal(nrow(attr(fit, "fit")$about$outliers_at) %||% 0L, 0L)
+  expect_output(print(fit), "times as large at the end")
+  # The law with another unknown has the same samples and weights.
+  compared <- compare_laws(fit, fit_scene(coast, data.frame(time_s, theta_rad), "theta0_rad"))
+  expect_identical(compared$aicc_difference[1], 0)
+})
+
+test_that("neighbours that are anticorrelated make errors smaller", {
+  time_s <- 0:400 / 50
+  coast <- scene_axle(1, omega0_rad_per_s = 2)
+  set.seed(1)
+  e <- rnorm(402)
+  theta_rad <- 2 * time_s + 0.01 * (e[-1] - 0.6 * e[-402])
+  fit <- fit_scene(coast, data.frame(time_s, theta_rad), "omega0_rad_per_s")
+  # The power of this noise at frequency 0 is (1 - 0.6)^2.
+  expect_equal(fit$standard_error, 0.004 / sqrt(sum(time_s^2)), tolerance = 0.4)
+  expect_output(print(fit), "neighbours anticorrelated")
+})
+
+test_that("counts that are rounded down are said, those that are rounded are not", {
+  time_s <- 0:400 / 50
+  disk <- scene_axle(0.0625, resistance = resistance(0.01, 2e-4), omega0_rad_per_s = 20)
+  theta <- trajectory(disk, time_s)$theta_rad
+  unknown <- c("resistance$viscous_n_m_s", "omega0_rad_per_s")
+  step <- 2 * pi / 36
+  down <- data.frame(time_s, theta_rad = step * floor(theta / step))
+  expect_warning(fit_scene(disk, down, unknown), "rounded down", class = "rotdyn_warning_fit")
+  expect_no_warning(fit_scene(disk, down, unknown, offset = "theta_rad"))
+  nearest <- data.frame(time_s, theta_rad = step * round(theta / step))
+  expect_no_warning(fit_scene(disk, nearest, unknown))
+})
+
+test_that("counts are whole numbers whatever zero is subtracted from them", {
+  time_s <- 0:119 / 20
+  count <- floor(30 * exp(-time_s / 3) + 2 * time_s)
+  decimals <- 0.2 * (count + 7) - 0.137
+  expect_gt(length(unique(diff(decimals))), length(unique(diff(count))))
+  series <- list(omega_rad_per_s = decimals)
+  own <- by_edges(list(time_s = time_s, series = series))
+  whole <- by_edges(list(time_s = time_s, series = list(omega_rad_per_s = count)))
+  expect_identical(own$weight, whole$weight)
+})
+
+test_that("a speed of a whole number of counts a sample has one error, as a rest has", {
+  # From 0.7 to 1.3 counts a sample: within an eighth of 1 for a quarter of the record.
+  count <- round(0.7 * 0:120 + 0.3 * (0:120)^2 / 120)
+  middle <- 49:73
+  expect_true(all(weight_of_counts(count)[middle] > 4))
+  # 2.5 counts a sample: the errors average out.
+  expect_identical(weight_of_counts(floor(2.5 * 0:120)), rep(1, 121))
+})
+
+test_that("a limit that any change exceeds is that change", {
+  rest <- data.frame(time_s = 0:200 / 20, theta_rad = 1)
+  pendulum <- scene_pendulum(body_rod(0.3, 0.5), distance_m = 0.25, theta0_rad = 0.5)
+  # It stays at 1 rad where it is held at its centre.
+  fit <- fit_scene(pendulum, rest, c("theta0_rad", "distance_m"))
+  expect_identical(fit$value[2], 0)
+  expect_lt(fit$upper[2], 1e-12)
+})

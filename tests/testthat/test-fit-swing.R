@@ -402,3 +402,13 @@ test_that("a law that does not fit gives the period of the swings, and ends", {
     expect_lt(fit$period_s$u, 1e-3)
   }
 })
+
+test_that("records whose squares leave double precision are refused", {
+  time_s <- 0:200 / 20
+  y <- 0.5 * exp(-0.05 * time_s) * cos(5 * time_s)
+  for (size in list(c(1, 1e-160), c(1e-200, 1), c(1e200, 1), c(1, 1e150))) {
+    record <- data.frame(time_s = size[1] * time_s, theta_rad = size[2] * y)
+    expect_error(fit_swing(record, "spring"), class = "rotdyn_error_range")
+    expect_error(fit_coast_down(record), class = "rotdyn_error_range")
+  }
+})

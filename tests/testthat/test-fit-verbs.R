@@ -2,10 +2,11 @@
 
 wheel <- scene_axle(0.02, resistance = resistance(1e-3), omega0_rad_per_s = 20)
 samples <- trajectory(wheel, 0:80 / 20)[c("time_s", "theta_rad")]
-samples$theta_rad <- samples$theta_rad + 1e-3 * sin(1e4 * samples$time_s)
+set.seed(1)
+samples$theta_rad <- samples$theta_rad + 1e-3 * rnorm(81)
 swing <- scene_pendulum(body_point(1), 0.8, resistance = resistance(0.02), theta0_rad = 0.5)
 swung <- trajectory(swing, 0:200 / 20)[c("time_s", "theta_rad")]
-swung$theta_rad <- swung$theta_rad + 1e-3 * sin(1e4 * swung$time_s)
+swung$theta_rad <- swung$theta_rad + 1e-3 * rnorm(201)
 
 coast <- fit_coast_down(samples, 0.02, losses = c("viscous", "coulomb"))
 whole <- fit_scene(wheel, samples, c("resistance$viscous_n_m_s", "omega0_rad_per_s"))
