@@ -23,12 +23,13 @@ failed_run <- function(info, n, on_fail, call) {
   )
   remedy <- info$remedy %||% switch(info$kind,
     torque = "Look at the torque function there, or end {.arg time_s} before.",
-    budget = "Raise {.arg max_steps}, ask for less accuracy, or shorten the time. Resistance that
-              acts much faster than the time asked for (inertia/viscous) takes many steps.",
+    budget = "Raise {.arg max_steps}, ask for less accuracy, or shorten the time. A body that
+              turns by very many radians in that time takes many steps, and so does resistance that
+              acts much faster (inertia/viscous).",
     step = "The torque changes faster than time can be resolved (give its {.arg breaks_s}), or the
             motion grows without bound there.",
     rhs = "Look at the function there, or end {.arg time_s} before.",
-    range = "The motion grows beyond 1.8e308: shorten the time.",
+    range = "The motion or its energy grows beyond 1.8e308: shorten the time, or start slower.",
     random = random_remedy,
     NULL
   )

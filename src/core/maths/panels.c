@@ -35,22 +35,26 @@ typedef struct panel {
 
 /* Integrals of one panel, `width` numbers each. */
 typedef struct sums {
-  double *value, *size, *error, *noise;
+  double *value, *size, *error, *noise, *coarse;
 } sums;
 
 static int at(int i) { return i <= HALF ? i : NODES - 1 - i; }
 
-/* (panel, f: NODES x width values) => integrals, sizes, errors, effect of rounded times */
+/* (panel, f: NODES x width values) => integrals, sizes, errors, effect of rounded times, error
+ * of a panel that is not resolved */
 static void integrate(const panel *p, size_t width, const double f[], const sums *out) {
   const double half = 0.5 * (p->to - p->from),
                late = 2.0 * ROT_EPS * fmax(fabs(p->from), fabs(p->to));
   for (size_t k = 0; k < width; k++) {
     double by_kronrod = 0.0, by_gauss = 0.0, size = 0.0, varies = 0.0;
+    double low = f[k], high = f[k];
     for (int i = 0; i < NODES; i++) {
       const double y = f[(size_t)i * width + k];
       by_kronrod += kronrod[at(i)] * y;
       by_gauss += gauss[at(i)] * y;
       size += kronrod[at(i)] * fabs(y);
+      low = fmin(low, y);
+      high = fmax(high, y);
       if (i > 0) varies += fabs(y - f[(size_t)(i - 1) * width + k]);
     }
     const double difference = fabs(by_kronrod - by_gauss) * half;
@@ -60,6 +64,7 @@ static void integrate(const panel *p, size_t width, const double f[], const sums
     out->error[k] = size > 0.0 ? size * fmin(1.0, pow(200.0 * difference / fmax(size, 1e-300), 1.5))
                                : difference;
     out->noise[k] = varies * late; /* the times of the nodes are rounded */
+    out->coarse[k] = fmin((high - low) * 2.0 * half, 10.0 * difference);
   }
 }
 
@@ -82,13 +87,13 @@ typedef struct work {
   size_t room;           /* panels allocated in each */
   double *time_s, *f;    /* nodes and integrands of AT_ONCE panels */
   double *total;         /* width: sizes that errors are compared with */
-  double *all;           /* value, size, error, noise of the open panels */
+  double *all;           /* value, size, error, noise, coarse of the open panels */
 } work;
 
 static sums sums_of(const work *w, size_t i) {
   const size_t width = w->p->width;
-  double *x = w->all + 4 * i * width;
-  return (sums){x, x + width, x + 2 * width, x + 3 * width};
+  double *x = w->all + 5 * i * width;
+  return (sums){x, x + width, x + 2 * width, x + 3 * width, x + 4 * width};
 }
 
 /* Integrates all open panels, AT_ONCE at a time. */
@@ -120,7 +125,7 @@ static rot_status make_room(work *w, size_t n) {
   if (open) w->open = open;
   next = open ? realloc(w->next, n * sizeof *next) : NULL;
   if (next) w->next = next;
-  double *all = next ? realloc(w->all, 4 * n * w->p->width * sizeof *all) : NULL;
+  double *all = next ? realloc(w->all, 5 * n * w->p->width * sizeof *all) : NULL;
   if (!all) return ROT_ENOMEM;
   w->all = all;
   w->room = n;
@@ -136,13 +141,14 @@ static void find_total(work *w) {
   }
 }
 
-static void keep(work *w, size_t i) {
+/* resolved: 0, the error is that of an unresolved panel. */
+static void keep(work *w, size_t i, int resolved) {
   const rot_panels *p = w->p;
   const sums of = sums_of(w, i);
   for (size_t k = 0; k < p->width; k++) {
     p->value[w->open[i].owner * p->width + k] += of.value[k];
     p->size[k] += of.size[k];
-    p->error[k] += of.error[k] + of.noise[k];
+    p->error[k] += (resolved ? of.error[k] : of.coarse[k]) + of.noise[k];
   }
 }
 
@@ -156,7 +162,7 @@ static void halve(work *w, size_t i) {
 /* Halves panels until each is good or the work is spent; adds them to the results. */
 static rot_status refine(work *w) {
   const rot_panels *p = w->p;
-  size_t left = MAX + 4 * p->n;
+  size_t left = p->max ? p->max : MAX + 4 * p->n;
   for (size_t i = 0; i < p->n; i++) w->open[i] = (panel){p->edge_s[i], p->edge_s[i + 1], i};
   w->n_open = p->n;
   for (int halving = 0; w->n_open; halving++) {
@@ -171,13 +177,14 @@ static rot_status refine(work *w) {
     }
     const int spent = 2 * bad > left, stop = halving == HALVINGS || spent;
     /* The panels do not resolve the integrand: its error is unknown. */
-    for (size_t k = 0; k < p->width && spent; k++) p->error[k] = (double)NAN;
+    for (size_t k = 0; k < p->width && spent && !p->bounded; k++) p->error[k] = (double)NAN;
     if (make_room(w, 2 * bad) != ROT_OK) return ROT_ENOMEM;
     w->n_next = 0;
     for (size_t i = 0; i < w->n_open; i++) {
       const sums of = sums_of(w, i);
-      if (stop || is_good(&w->open[i], p->width, &of, w->total)) {
-        keep(w, i);
+      const int good = is_good(&w->open[i], p->width, &of, w->total);
+      if (stop || good) {
+        keep(w, i, good || !spent || !p->bounded);
       } else {
         halve(w, i);
       }

@@ -17,10 +17,12 @@ typedef struct rot_panels {
   double *value;        /* out: n * width, integrals over each panel */
   double *error;        /* out: width, of their sums, with the rounding of times; NaN: unknown */
   double *size;         /* out: width, integrals of the absolute values */
+  size_t max;           /* panels evaluated; 0: 200,000 and 4 n */
+  int bounded;          /* 1: the error of panels that stay unresolved is no NaN: see below */
 } rot_panels;
 
 /* Halves panels until the error is below rounding, 24 times at most; with too many panels the error
- * is NaN. A panel whose integral is not finite is not halved. */
+ * is NaN, or with `bounded` the range of the integrand, or ten times the difference of the two rules. A panel whose integral is not finite is not halved. */
 rot_status rot_panels_integrate(const rot_panels *panels, rot_panels_rates rates, void *ctx);
 
 #endif

@@ -27,7 +27,7 @@ static void check_closed_forms(void) {
   const double edge[] = {-1.0, 0.25, 2.0, 3.0};
   double value[9], error[3], size[3];
   calls c = {0, 0, ROT_OK};
-  const rot_panels p = {3, 3, edge, NULL, value, error, size};
+  const rot_panels p = {3, 3, edge, NULL, value, error, size, 0, 0};
   ROT_CHECK_EQ_INT(rot_panels_integrate(&p, rates, &c), ROT_OK);
   ROT_CHECK(!c.decreases && c.n > 3 * 15);
   for (int i = 0; i < 3; i++) {
@@ -48,9 +48,28 @@ static void check_min(void) {
   const double edge[] = {0.0, 3.0}, min[] = {1e30, 1e30, 1e30};
   double value[3], error[3], size[3];
   calls c = {0, 0, ROT_OK};
-  const rot_panels p = {3, 1, edge, min, value, error, size};
+  const rot_panels p = {3, 1, edge, min, value, error, size, 0, 0};
   ROT_CHECK_EQ_INT(rot_panels_integrate(&p, rates, &c), ROT_OK);
   ROT_CHECK(c.n == 15 && error[1] > 0.01);
+}
+
+static rot_status waves(size_t n, const double t[], double value[], void *ctx) {
+  (void)ctx;
+  for (size_t i = 0; i < n; i++) value[i] = 1.0 + 1e-3 * cos(1e6 * t[i]);
+  return ROT_OK;
+}
+
+/* Too few panels for 1e6/(2 pi) waves: the error is unknown, or bounded by their height. */
+static void check_max(void) {
+  const double edge[] = {0.0, 0.5, 2.0};
+  double value[2], error[1], size[1];
+  rot_panels p = {1, 2, edge, NULL, value, error, size, 100, 0};
+  ROT_CHECK_EQ_INT(rot_panels_integrate(&p, waves, NULL), ROT_OK);
+  ROT_CHECK(isnan(error[0]));
+  p.bounded = 1;
+  ROT_CHECK_EQ_INT(rot_panels_integrate(&p, waves, NULL), ROT_OK);
+  const double off = fabs(value[0] + value[1] - (2.0 + 1e-9 * sin(2e6)));
+  ROT_CHECK(off <= error[0] && error[0] <= 5e-3 && off > 1e-9);
 }
 
 static rot_status infinite(size_t n, const double t[], double value[], void *ctx) {
@@ -63,12 +82,12 @@ static void check_ends(void) {
   const double edge[] = {0.0, 0.5, 2.0};
   double value[6], error[3], size[3];
   calls c = {0, 0, ROT_EUNWIND};
-  const rot_panels p = {3, 2, edge, NULL, value, error, size};
+  const rot_panels p = {3, 2, edge, NULL, value, error, size, 0, 0};
   ROT_CHECK_EQ_INT(rot_panels_integrate(&p, rates, &c), ROT_EUNWIND);
-  const rot_panels one = {1, 2, edge, NULL, value, error, size};
+  const rot_panels one = {1, 2, edge, NULL, value, error, size, 0, 0};
   ROT_CHECK_EQ_INT(rot_panels_integrate(&one, infinite, NULL), ROT_OK);
   ROT_CHECK(value[0] == 0.5 && isinf(value[1]));
-  const rot_panels none = {3, 0, edge, NULL, value, error, size};
+  const rot_panels none = {3, 0, edge, NULL, value, error, size, 0, 0};
   ROT_CHECK_EQ_INT(rot_panels_integrate(&none, rates, &c), ROT_OK);
   ROT_CHECK(error[0] == 0.0 && size[0] == 0.0);
 }
@@ -76,6 +95,7 @@ static void check_ends(void) {
 int main(void) {
   check_closed_forms();
   check_min();
+  check_max();
   check_ends();
   return rot_test_report("panels");
 }

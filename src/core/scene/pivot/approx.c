@@ -105,7 +105,9 @@ const char *rot_pivot_not_spinning(const rot_free_params *p) {
       p->omega0_rad_per_s[2] == 0.0) {
     return "it does not spin";
   }
-  if (begin(p, 0, &x) != ROT_OK) return "its axis is vertical";
+  const rot_status status = begin(p, 0, &x);
+  if (status == ROT_ERANGE) return "gravity is below 1e-60 of the squares of its rates";
+  if (status != ROT_OK) return "its axis is vertical";
   return x.omega3 != 0.0 ? NULL : "it does not spin";
 }
 

@@ -13,7 +13,7 @@
 /* ---- flows ----------------------------------------------------------------------------------- */
 
 enum { WORK = 0, TORQUE_X = 2, TORQUE_Y = 3 };
-enum { MAX_PANELS = 20000 };
+enum { MAX_PANELS = 15000, MAX_HALVED = 50000 };
 
 typedef struct along {
   rot_free_rows_of *form;
@@ -98,6 +98,8 @@ static rot_status impulses(along *a, const rot_task *task, const rot_rows *rows,
                              .n = n,
                              .edge_s = edge,
                              .min = min,
+                             .max = MAX_HALVED + n,
+                             .bounded = 1,
                              .value = edge + max,
                              .error = error,
                              .size = size};

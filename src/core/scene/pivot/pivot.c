@@ -46,6 +46,23 @@ static rot_dd wheels_of(const rot_free_rotors *r, int k) {
   return sum;
 }
 
+/* => 0, or the power of 4 by which gravity is below the range of rot_top_begin(). */
+static int excess(const rot_free_params *p, int k, const double omega[3], double wheels) {
+  const double fastest = fmax(fabs(omega[0]), fmax(fabs(omega[1]), fabs(omega[2])));
+  return rot_top_excess(p->moment_kg_m2[(k + 1) % 3], p->lever_n_m[k], wheels, fastest);
+}
+
+/* 1 if the angular momentum turns the body across its axis by at least 1e-12 of its fastest rate.
+ * Then gravity that is below the range of rot_top_begin(), or at its limit, changes the motion by
+ * less than 1e-36 of the angle turned: less than rounding. */
+static int turns_over(const rot_free_params *p, int k, const double omega[3], double wheels) {
+  const int i = (k + 1) % 3, j = (k + 2) % 3;
+  const double moment = p->moment_kg_m2[i];
+  const double axial = fabs(p->moment_kg_m2[k] / moment * omega[k] + wheels / moment);
+  const double turns = fmax(fmax(fabs(omega[i]), fabs(omega[j])), axial);
+  return turns >= 1e-12 * fmax(fabs(omega[k]), fabs(wheels / moment));
+}
+
 const char *rot_pivot_not_top(const rot_free_params *p) {
   const int k = rot_pivot_axis(p);
   double w[3], q[4], wheels = 0.0;
@@ -58,8 +75,7 @@ const char *rot_pivot_not_top(const rot_free_params *p) {
     wheels = wheels_of(&rotors, k).hi;
   }
   rot_free_principal(p, w, q);
-  const double fastest = fmax(fabs(w[0]), fmax(fabs(w[1]), fabs(w[2])));
-  return rot_top_is_light(p->moment_kg_m2[(k + 1) % 3], p->lever_n_m[k], wheels, fastest)
+  return excess(p, k, w, wheels) && !turns_over(p, k, w, wheels)
              ? "gravity is below 1e-60 of the squares of its rates"
              : NULL;
 }
@@ -83,6 +99,7 @@ typedef struct run {
   const rot_free_params *p;
   rot_top_motion motion;
   rot_free_rotors rotors;
+  int lifted;     /* power of 4 of gravity in `motion` over that of `p`, without effect */
   int axis;       /* of symmetry, 0 to 2; top's axes 1, 2, 3: axis + 1, axis + 2, axis (mod 3) */
   double turn[4]; /* v_principal = turn v_top turn* */
   const double *time_s;
@@ -127,7 +144,10 @@ static rot_status begin(const rot_free_params *p, run *r) {
   const double a = p->moment_kg_m2[(k + 1) % 3], b = p->moment_kg_m2[(k + 2) % 3];
   const double uneven = fmax(p->given, fabs(a - b) / a);
   const double given = p->turned ? fmax(uneven, 4.0 * ROT_EPS) : uneven;
-  const rot_dd weight = rot_dd_sum2(p->lever_n_m[k], p->lever_low_n_m[k]);
+  const int by = excess(p, k, omega, wheels.hi);
+  const rot_dd weight = rot_dd_ldexp(rot_dd_sum2(p->lever_n_m[k], p->lever_low_n_m[k]), 2 * by);
+  if (by && !(turns_over(p, k, omega, wheels.hi) && isfinite(weight.hi))) return ROT_ERANGE;
+  r->lifted = by;
   const rot_status status =
       rot_top_begin_wheels(a, p->moment_kg_m2[k], weight, wheels, &start, given, &r->motion);
   if (status != ROT_OK) return status;
@@ -233,6 +253,7 @@ rot_status rot_pivot_nutation(const rot_free_params *p, double out[3]) {
   if (acts(p)) return ROT_EVALUE;
   const rot_status status = begin(p, &r);
   if (status != ROT_OK) return status;
+  if (r.lifted) return ROT_ERANGE;
   const rot_top_nutation n = rot_top_nutates(&r.motion);
   out[0] = n.period_s;
   out[1] = n.amplitude_rad;

@@ -426,9 +426,11 @@ static int exponent_of(double i1, double weight, double wheels, double omega, in
   return wheels != 0.0 && e_own - e_moment + 1 > e ? e_own - e_moment + 1 : e;
 }
 
-int rot_top_is_light(double i1, double weight, double wheels, double omega) {
+int rot_top_excess(double i1, double weight, double wheels, double omega) {
   int half;
-  return weight != 0.0 && exponent_of(i1, weight, wheels, omega, &half) - half > MAX_RATIO;
+  if (weight == 0.0) return 0;
+  const int e = exponent_of(i1, weight, wheels, omega, &half);
+  return e - half > MAX_RATIO ? e - half - MAX_RATIO : 0;
 }
 
 /* (moments, weight, constants) => motion: unit of time, zeros of u'^2, kind of motion. */

@@ -77,10 +77,10 @@ typedef struct rot_top_motion {
 rot_status rot_top_begin(double transverse_kg_m2, double axial_kg_m2, double weight_n_m,
                          const rot_top_start *start, double given, rot_top_motion *out);
 
-/* (transverse moment, G, momentum of wheels, largest component of the initial rates) => 1 if that
- * is a ROT_ERANGE, else 0. */
-int rot_top_is_light(double transverse_kg_m2, double weight_n_m, double wheels,
-                     double omega_rad_per_s);
+/* (transverse moment, G, momentum of wheels, largest component of the initial rates) => 0, or what
+ * makes that a ROT_ERANGE: G times 4 to this power is none. */
+int rot_top_excess(double transverse_kg_m2, double weight_n_m, double wheels,
+                   double omega_rad_per_s);
 
 /* The same with wheels on the axis. wheels: their constant angular momentum relative to the body;
  * the axis follows from the total, I3 omega3 + wheels. The moments are those with locked wheels.
