@@ -54,6 +54,7 @@
 #'   turns; small rotations keep their relative accuracy.
 #' @section Warnings: `rotdyn_warning_normalised`: quaternions were not of unit length, or matrices
 #'   not orthogonal, by more than 1e-12. They are normalised.
+#'   `rotdyn_warning_range`: a component of a rotated vector is beyond double precision.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_unit`,
 #'   `rotdyn_error_argument`; `rotdyn_error_missing` for an `order` or a `sequence` that is not
 #'   named; `rotdyn_error_value` with the row: a quaternion or an axis of length 0, a matrix that is
@@ -172,6 +173,7 @@ attitude_turn <- function(attitude, vector, axes = c("space", "body"), ...) {
   check_no_infinite(v, "vector", call)
   check_recyclable(c(q[1], v[1]), call)
   out <- .Call(ffi_attitude_turn, unname(c(q, v)), as.double(axes == "space"))
+  warn_beyond(out, v, length(out[[1]]), call)
   new_table(out, nrow = length(out[[1]]))
 }
 

@@ -35,7 +35,10 @@
 #'   NA in a row gives NA in what depends on it. Errors: some roundings of the largest term; the
 #'   deflections keep their digits however small they are.
 #'
-#'   Where the rotation is so fast that the body never falls that far, the time is NaN.
+#'   Where the rotation is so fast that the body never falls that far, the time is NaN. A pendulum
+#'   that has swung by 2^52 rad or more is somewhere: its position and velocity are NaN.
+#' @section Warnings: `rotdyn_warning_range` where finite numbers give a result beyond double
+#'   precision, and where the position of the pendulum is unknown.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` with the row of
 #'   the first value outside its domain, `rotdyn_error_unit`, `rotdyn_error_missing`.
 #' @source Landau and Lifshitz, Mechanics, 3rd ed. (1976), section 39; Goldstein, Poole and Safko,
@@ -67,6 +70,7 @@ earth_projectile <- function(time_s, latitude_deg, east_m_per_s = 0, north_m_per
   ), call)
   out <- .Call(ffi_frame_projectile, unname(columns))
   n <- length(out[[1]])
+  warn_beyond(out, columns, n, call)
   new_table(c(lapply(columns[1:2], rep_len, n), out), nrow = n)
 }
 
@@ -85,16 +89,14 @@ earth_drop <- function(height_m, latitude_deg, gravity_m_per_s2 = 9.80665,
   path <- .Call(ffi_frame_projectile, c(
     list(time_s), unname(columns[2]), list(0, 0, 0), unname(columns[3:4])
   ))
+  shown <- c("deflection_east_m", "deflection_north_m", "first_order_east_m")
+  warn_beyond(c(list(fall_time_s = time_s), path[shown]), columns, n, call)
   turned <- 2 * columns$rotation_rad_per_s * time_s
   new_table(c(
     lapply(columns[1:2], rep_len, n),
-    list(
-      fall_time_s = time_s, deflection_east_m = path$deflection_east_m,
-      deflection_north_m = path$deflection_north_m,
-      first_order_east_m = path$first_order_east_m,
-      # 1 - y^2/20 < 6 (y - sin y)/y^3 < 1
-      first_order_error = rep_len(turned^2 / 20, n)
-    )
+    list(fall_time_s = time_s), path[shown],
+    # 1 - y^2/20 < 6 (y - sin y)/y^3 < 1
+    list(first_order_error = rep_len(turned^2 / 20, n))
   ), nrow = n)
 }
 
@@ -113,17 +115,29 @@ foucault_pendulum <- function(time_s, latitude_deg, length_m, east_m = 0, north_
   out <- .Call(ffi_frame_foucault, unname(columns[c(9, 2, 8, 3:7, 1)]))
   n <- length(out[[1]])
   rate <- out$plane_rate_rad_per_s
-  pull <- columns$gravity_m_per_s2 / columns$length_m
-  # The area that the swing sweeps, as seen from where its plane stands still: a b sqrt(pull).
-  area <- columns$east_m * columns$north_m_per_s - columns$north_m * columns$east_m_per_s -
-    rate * (columns$east_m^2 + columns$north_m^2)
-  new_table(c(
-    lapply(columns[1:2], rep_len, n), out,
-    lapply(list(
-      swing_period_s = 2 * pi / sqrt(pull + rate^2), plane_turn_s = 2 * pi / abs(rate),
-      ellipse_rate_rad_per_s = 3 / 8 * area / columns$length_m^2
-    ), rep_len, n)
-  ), nrow = n, class = "rot_foucault")
+  # The area that the swing sweeps, as seen from where its plane stands still: a b sqrt(g/l), over
+  # l^2.
+  over <- lapply(columns[4:7], function(x) x / columns$length_m)
+  area <- over$east_m * over$north_m_per_s - over$north_m * over$east_m_per_s -
+    rate * (over$east_m^2 + over$north_m^2)
+  turns <- list(plane_turn_s = 2 * pi / abs(rate), ellipse_rate_rad_per_s = 3 / 8 * area)
+  warn_unknown(out[1:4], columns, n, call)
+  warn_beyond(c(out, turns[2]), columns, n, call)
+  new_table(
+    c(lapply(columns[1:2], rep_len, n), out, lapply(turns, rep_len, n)), nrow = n,
+    class = "rot_foucault"
+  )
+}
+
+# Where the numbers of a row are known and a column of it is NaN, its phase is not.
+warn_unknown <- function(values, given, n, call) {
+  lost <- Reduce(`|`, lapply(values, is.nan))
+  for (x in given) lost <- lost & !is.na(x)
+  if (!any(lost)) return(invisible())
+  warn_rotdyn(c(
+    "{.field {names(values)}} are unknown: a double has no digit of the phase.",
+    x = "They are NaN in row {which(lost)[1]}."
+  ), "range", call)
 }
 
 frame_units <- c(

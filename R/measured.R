@@ -277,7 +277,7 @@ Ops.rot_measured <- function(e1, e2) {
     "+" = c(1, 1),
     "-" = c(1, -1),
     "*" = c(y, x),
-    "/" = c(1 / y, -x / y^2),
+    "/" = c(1, -x / y), # of what is divided by y below
     "^" = c(
       if (y == 0) 0 else y * x^(y - 1), if (nrow(b$parts)) x^y * log(x) else 0
     ),
@@ -287,8 +287,9 @@ Ops.rot_measured <- function(e1, e2) {
     if (inherits(e1, "rot_measured")) a$name else format(x),
     if (inherits(e2, "rot_measured")) b$name else format(y)
   )
-  a$parts$u <- a$parts$u * slope[1]
-  b$parts$u <- b$parts$u * slope[2]
+  unit <- if (.Generic == "/") y else 1
+  a$parts$u <- a$parts$u / unit * slope[1]
+  b$parts$u <- b$parts$u / unit * slope[2]
   combine_parts(get(.Generic)(x, y), rbind(a$parts, b$parts), paste(labels[1], .Generic, labels[2]),
     call)
 }

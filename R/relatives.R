@@ -51,6 +51,8 @@
 #'   `yo_yo()`: `r describe_columns(yo_yo_columns, yo_yo_meanings)`
 #'   `atwood_machine()`: `r describe_columns(atwood_columns, atwood_meanings)`
 #'   `falling_rod()`: `r describe_columns(falling_rod_columns, falling_rod_meanings)`
+#' @section Warnings: `rotdyn_warning_range` where finite numbers give a result beyond double
+#'   precision.
 #' @section Errors: `rotdyn_error_value` with the row of the first value outside its domain,
 #'   `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_unit`, `rotdyn_error_missing`,
 #'   `rotdyn_error_argument`.
@@ -195,14 +197,17 @@ falling_rod <- function(rod, angle_deg, start_angle_deg = 0, ..., gravity_m_per_
   # cos(a) - cos(b) as a product, which does not cancel.
   drop <- 2 * sin_of((x$angle_deg + x$start_angle_deg) / 2) *
     sin_of((x$angle_deg - x$start_angle_deg) / 2)
-  new_table(list(
-    omega_rad_per_s = sqrt(3 * g / x$length_m * drop),
+  out <- list(
+    # The square may be no double where its root is one.
+    omega_rad_per_s = sqrt(3 * g * drop) / sqrt(x$length_m),
     alpha_rad_per_s2 = 1.5 * g / x$length_m * sine,
     tip_acceleration_m_per_s2 = g * sqrt((1.5 * sine)^2 + (3 * drop)^2),
     tip_fall_m_per_s2 = g * (1.5 * sine^2 + 3 * drop * cosine),
     hinge_along_n = weight * (cosine - 1.5 * drop), hinge_across_n = weight * sine / 4,
     bending_moment_n_m = weight * x$length_m * sine / 27, break_at_m = x$length_m / 3 + 0 * sine
-  ), nrow = length(sine))
+  )
+  warn_beyond(out, x, length(sine), call)
+  new_table(out, nrow = length(sine))
 }
 
 columns_of_rods <- function(rod, call) {

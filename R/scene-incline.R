@@ -171,7 +171,9 @@ rolling_radius <- function(body, inertia, call) {
   sizes <- unname(body$size_m[names(body$size_m) %in% c("radius_m", "outer_radius_m")])
   if (body$mass_kg == 0 && length(sizes)) return(sizes[1]) # a pulley without mass
   from_beta <- sqrt(inertia / body$mass_kg / beta)
-  own <- sizes[abs(sizes - from_beta) <= 1e-9 * from_beta]
+  # A moment below 1e-308 has fewer digits.
+  digits <- 1e-9 + 2^-1074 / inertia
+  own <- sizes[abs(sizes - from_beta) <= digits * from_beta]
   if (length(own)) own[1] else from_beta
 }
 

@@ -27,7 +27,9 @@
 #'   with a row for each rotor of a drive. On an incline also `terminal_v_m_per_s`: where the body
 #'   never stops, `stop_time_s` is Inf, the place is NaN, and the speed is what it tends to,
 #'   infinite where it is accelerated for good.
-#' @section Errors: `rotdyn_error_type`; `rotdyn_error_model` where the closed form does not fit
+#' @section Warnings: `rotdyn_warning_range` where the angle of a stop is beyond double precision.
+#' @section Errors: `rotdyn_error_type`; `rotdyn_error_range` where the motion to the stop is beyond
+#'   double precision; `rotdyn_error_model` where the closed form does not fit
 #'   (see [choose_model()], model `axle_drag`), where a law changes in time or is a function, and
 #'   where nothing is seen to stop: a scene without dry friction, a drive that swings on or is driven
 #'   by more than all friction, or one still in motion 4^10 s
@@ -79,6 +81,12 @@ axle_stops <- function(scene, call) {
     ), "model", call)
   }
   x <- .Call(ffi_axle_stopping, scene)
+  if (is.na(x[1])) {
+    abort_rotdyn(c(
+      "The motion to the stop exceeds double precision.", i = "Start slower, or with more resistance."
+    ), "range", call)
+  }
+  if (is.finite(x[1])) warn_beyond(list(stop_theta_rad = x[2]), list(), 1L, call)
   as_table(
     stop_time_s = x[1], stop_theta_rad = x[2],
     terminal_omega_rad_per_s = if (is.finite(x[1])) 0 else terminal_omega(scene, x[3], call)

@@ -32,6 +32,8 @@
 #'   `r describe_columns(sweep_index_columns, sweep_index_meanings)`
 #'   `sweep_audit()`: a tibble with a row for each row looked at, and the columns
 #'   `r describe_columns(sweep_audit_columns, sweep_audit_meanings)`
+#' @section Warnings: `rotdyn_warning_range` where the sum of finite values, or of their squares, is
+#'   beyond double precision: their mean, or their deviation, is Inf.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_value`; `rotdyn_error_argument` for indices
 #'   of another design.
 #' @source Jansen, Computer Physics Communications 117 (1999) 35; Saltelli and others, Computer
@@ -61,6 +63,7 @@ summary.rot_sweep <- function(object, probs = c(0.05, 0.5, 0.95), ...) {
   sweep <- attr(object, "sweep")
   figures <- sweep_figures(object, probs, call)
   column <- as.data.frame(figures$column)
+  warn_beyond(column[c("mean", "mean_error", "sd")], list(), nrow(column), call)
   value <- middle_of(figures$low, figures$high)
   names <- paste0("p", format_each(100 * probs), recycle0 = TRUE)
   out <- c(

@@ -1,4 +1,6 @@
 /* For R: attitudes by row. */
+#include <math.h>
+
 #include "glue/ffi.h"
 #include "maths/attitude.h"
 
@@ -131,11 +133,15 @@ SEXP ffi_attitude_turn(SEXP columns, SEXP to_space) {
     double x[7], v[3] = {NA_REAL, NA_REAL, NA_REAL};
     for (int k = 0; k < 7; k++) x[k] = rot_at(in[k], i);
     if (!any_nan(7, x)) {
+      /* Vectors so long that the terms of a component overflow. */
+      const int large = fmax(fabs(x[4]), fmax(fabs(x[5]), fabs(x[6]))) > 1e305;
+      for (int k = 4; k < 7 && large; k++) x[k] *= 0x1p-10;
       if (space) {
         rot_attitude_to_space(x, x + 4, v);
       } else {
         rot_attitude_to_body(x, x + 4, v);
       }
+      for (int k = 0; k < 3 && large; k++) v[k] *= 0x1p10;
     }
     for (int k = 0; k < 3; k++) out[k][i] = v[k];
   }

@@ -4,6 +4,7 @@
 #include "glue/run.h"
 
 enum { MAX_COLUMNS = 12 };
+static const double pi = 0x1.921fb54442d18p+1;
 
 /* columns: time, latitude, velocity east, north, up, gravity, rate of rotation => 13 columns */
 SEXP ffi_frame_projectile(SEXP list) {
@@ -55,23 +56,25 @@ SEXP ffi_frame_fall_time(SEXP list) {
 }
 
 /* columns: rate of rotation, latitude, gravity, length, east, north, velocities, time => position,
- * velocity, rate of the plane */
+ * velocity, rate of the plane, period of the swing */
 SEXP ffi_frame_foucault(SEXP list) {
-  static const char *const names[] = {"east_m", "north_m", "east_m_per_s", "north_m_per_s",
-                                      "plane_rate_rad_per_s"};
+  static const char *const names[] = {
+      "east_m",        "north_m", "east_m_per_s", "north_m_per_s", "plane_rate_rad_per_s",
+      "swing_period_s"};
   rot_column in[9];
-  double *column[5], x[9];
+  double *column[6], x[9];
   const R_xlen_t n = ffi_columns_of(list, 9, in);
-  SEXP out = ffi_columns(5, names, n, column);
+  SEXP out = ffi_columns(6, names, n, column);
   for (R_xlen_t i = 0; i < n; i++) {
-    double r[2], v[2], rate;
+    double r[2], v[2], rate, swings;
     const int known = ffi_row_of(in, 9, i, x);
-    rot_frame_foucault(x[0], x[1], x[2], x[3], x + 4, x + 6, x[8], r, v, &rate);
+    rot_frame_foucault(x[0], x[1], x[2], x[3], x + 4, x + 6, x[8], r, v, &rate, &swings);
     for (int k = 0; k < 2; k++) {
       column[k][i] = known ? r[k] : NA_REAL;
       column[2 + k][i] = known ? v[k] : NA_REAL;
     }
     column[4][i] = known ? rate : NA_REAL;
+    column[5][i] = known ? 2.0 * pi / swings : NA_REAL;
   }
   UNPROTECT(1);
   return out;

@@ -143,3 +143,53 @@ test_that("a line of any steepness leads to the edge, and the edge tells what co
     expect_equal(down$omega_rad_per_s, -201 + 199 * exp(-0.5), tolerance = 100 / steep + 1e-14)
   }
 })
+
+test_that("drops and pendulums of any size follow their scaling laws", {
+  # h times 4^k, Omega over 2^k: times times 2^k, lengths times 4^k, all of them exact.
+  drop <- earth_drop(100, 45)
+  for (k in c(-300, 300)) {
+    scaled <- earth_drop(100 * 4^k, 45, rotation_rad_per_s = 7.292115e-5 / 2^k)
+    expect_identical(scaled$fall_time_s, drop$fall_time_s * 2^k)
+    expect_identical(scaled$deflection_east_m, drop$deflection_east_m * 4^k)
+  }
+  # At a height near 0 the Earth stands still; at one of 1e160 m the fall along its axis is left.
+  expect_equal(earth_drop(5e-324, 45)$fall_time_s / sqrt(2 * 2^-1074) * sqrt(9.80665), 1)
+  expect_equal(earth_drop(1e160, 45)$fall_time_s, sqrt(2e160 / 9.80665) / sinpi(1 / 4))
+  expect_warning(far <- foucault_pendulum(1e160, 45, 10, 1), class = "rotdyn_warning_range")
+  expect_identical(c(far$east_m, far$north_m_per_s), c(NaN, NaN))
+  expect_equal(far$swing_period_s, foucault_pendulum(0, 45, 10, 1)$swing_period_s)
+  short <- foucault_pendulum(0, 45, 1e-310, 1e-312, gravity_m_per_s2 = 10)
+  expect_equal(short$swing_period_s / (2 * pi * sqrt(1e-310) / sqrt(10)), 1)
+  expect_equal(
+    foucault_pendulum(0, 45, 1e200, 1e198, 1e198)$ellipse_rate_rad_per_s,
+    foucault_pendulum(0, 45, 10, 0.1, 0.1)$ellipse_rate_rad_per_s
+  )
+  expect_warning(
+    rod <- falling_rod(body_rod_end(1, 1e-310), 90), "alpha", class = "rotdyn_warning_range"
+  )
+  expect_equal(rod$omega_rad_per_s / sqrt(1e-310)^-1, sqrt(3 * 9.80665), tolerance = 1e-14)
+})
+
+test_that("a stop at an angle beyond double precision has its time", {
+  wheel <- scene_axle(2, omega0_rad_per_s = 1e160, resistance = resistance(coulomb_n_m = 4))
+  expect_warning(found <- stopping(wheel), "stop_theta_rad", class = "rotdyn_warning_range")
+  expect_equal(found$stop_time_s, 5e159)
+  expect_identical(found$stop_theta_rad, Inf)
+})
+
+test_that("what squares or sums of numbers would lose is kept or named", {
+  # Relative uncertainties of 1e-10 and 1e-2.
+  ratio <- measured(1, 1e-10) / measured(1e-170, 1e-172)
+  expect_equal(ratio$value, 1e170)
+  expect_equal(abs(ratio$parts$u), c(1e160, 1e168))
+  expect_identical(energy_partition(body_sphere(1, 1e-160), 1)$radius_m, 1e-160)
+  quarter <- attitude_from(c(1, 0, 0, pi / 4), "axis_angle")
+  turned <- attitude_turn(quarter, c(1e308, 1.2e308, 1.2e308))
+  expect_equal(unlist(turned) / 1e308, c(x = 1, y = 0, z = 1.2 * sqrt(2)))
+  expect_warning(attitude_turn(quarter, c(0, 1.7e308, 1.7e308)), class = "rotdyn_warning_range")
+  plan <- sweep_plan(
+    scene_axle(1, omega0_rad_per_s = 1), 1, design_grid(omega0_rad_per_s = c(1, 1.2, 1.4) * 1e308),
+    outputs = "final_omega_rad_per_s"
+  )
+  expect_warning(summary(sweep_run(plan)), "mean", class = "rotdyn_warning_range")
+})

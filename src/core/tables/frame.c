@@ -99,14 +99,17 @@ static double deepest_between(double omega, double c, double s, double g, double
   return low;
 }
 
-double rot_frame_fall_time(double omega, double latitude_deg, double g, double height) {
-  const double c = rot_sin_deg(90.0 - fabs(latitude_deg)), s = rot_sin_deg(latitude_deg);
-  if (height == 0.0) return 0.0;
+/* Height and gravity near 1: see rot_frame_fall_time(). */
+static double scaled_fall_time(double omega, double c, double s, double g, double height) {
   /* The depth is at most g t^2/2: a lower bound of the time. */
   double low = sqrt(height / g) * sqrt(2.0), high = low, rate;
-  if (!isfinite(low)) return NAN;
+  if (!isfinite(omega)) return NAN;
+  /* Many turns later c^2 sin(y)/y is below s^2: the depth increases for good, and is at least
+   * s^2 g t^2/2. */
+  const int steady = 2.0 * fabs(omega) * low * s * s > c * c;
+  if (steady) high = low / fabs(s);
   const double step = fmin(low, omega == 0.0 ? low : 0.25 / fabs(omega));
-  for (int i = 0; depth(omega, c, s, g, high, &rate) < height; i++) {
+  for (int i = 0; !steady && depth(omega, c, s, g, high, &rate) < height; i++) {
     const int falls = rate > 0.0;
     if (i == 100000) return NAN;
     low = high;
@@ -133,7 +136,17 @@ double rot_frame_fall_time(double omega, double latitude_deg, double g, double h
   return high;
 }
 
-/* (rate, t) => cosine and sine of rate t, with the phase to twice the precision */
+double rot_frame_fall_time(double omega, double latitude_deg, double g, double height) {
+  int eg, eh;
+  const double c = rot_sin_deg(90.0 - fabs(latitude_deg)), s = rot_sin_deg(latitude_deg);
+  if (height == 0.0) return 0.0;
+  const double gravity = frexp(g, &eg), fall = frexp(height, &eh);
+  const int odd = (eh - eg) % 2 != 0, half = (eh - eg - odd) / 2;
+  return ldexp(scaled_fall_time(ldexp(omega, half), c, s, gravity, ldexp(fall, odd)), half);
+}
+
+/* (rate, t) => cosine and sine of rate t, with the phase to twice the precision; NaN: the phase is
+ * undetermined */
 static void phase_at(rot_dd rate, double t, double *cosine, double *sine) {
   const rot_dd x = rot_dd_mul1(rate, t);
   rot_dd s, c;
@@ -141,9 +154,8 @@ static void phase_at(rot_dd rate, double t, double *cosine, double *sine) {
     rot_dd_sine_cosine(x, &s, &c);
     *cosine = c.hi;
     *sine = s.hi;
-  } else { /* the phase is undetermined */
-    *cosine = cos(x.hi);
-    *sine = sin(x.hi);
+  } else {
+    *cosine = *sine = NAN;
   }
 }
 
@@ -159,7 +171,9 @@ static rot_dd turning_rate(double omega, double latitude_deg) {
 /* => sqrt(gravity/length + turn^2) */
 static rot_dd swing_rate(double gravity, double length, rot_dd turn) {
   int eg, el;
-  const double nu = hypot(sqrt(gravity / length), turn.hi);
+  const double ratio = gravity / length;
+  const int normal = ratio > 1e-290 && ratio < 1e290;
+  const double nu = hypot(normal ? sqrt(ratio) : sqrt(gravity) / sqrt(length), turn.hi);
   if (!(nu > 1e-100 && nu < 1e100)) return (rot_dd){nu, 0.0};
   const double g = frexp(gravity, &eg), l = frexp(length, &el);
   const rot_dd pull = rot_dd_ldexp(rot_dd_div((rot_dd){g, 0.0}, (rot_dd){l, 0.0}), eg - el);
@@ -168,21 +182,21 @@ static rot_dd swing_rate(double gravity, double length, rot_dd turn) {
 
 void rot_frame_foucault(double omega, double latitude_deg, double gravity, double length,
                         const double r0[2], const double v0[2], double t, double r[2], double v[2],
-                        double *plane_rate) {
+                        double *plane_rate, double *swing_rate_rad_per_s) {
   const rot_dd turns = turning_rate(omega, latitude_deg),
                swings = swing_rate(gravity, length, turns);
   const double turn = turns.hi, nu = swings.hi;
   double c, s, ct, st;
   *plane_rate = -turn;
+  *swing_rate_rad_per_s = nu;
   phase_at(swings, t, &c, &s);
   phase_at(turns, t, &ct, &st);
-  s = nu == 0.0 ? t : s / nu;
   /* zeta = exp(-i turn t) (z0 cos(nu t) + (v0 + i turn z0) sin(nu t)/nu) */
   const double b[2] = {v0[0] - turn * r0[1], v0[1] + turn * r0[0]};
   double e[2], f[2];
   for (int i = 0; i < 2; i++) {
-    e[i] = r0[i] * c + b[i] * s;
-    f[i] = b[i] * c - nu * nu * s * r0[i];
+    e[i] = r0[i] * c + b[i] * (nu == 0.0 ? t : s / nu);
+    f[i] = b[i] * c - nu * s * r0[i];
   }
   r[0] = ct * e[0] + st * e[1];
   r[1] = ct * e[1] - st * e[0];

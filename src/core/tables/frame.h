@@ -32,10 +32,10 @@ rot_projectile rot_frame_projectile(const rot_projectile_input *in);
 double rot_frame_fall_time(double omega, double latitude_deg, double gravity, double height);
 
 /* Foucault pendulum of small amplitude: (r0, v0 relative to the ground, t) => r, v (east, north),
- * rate of rotation of its plane */
+ * rate of rotation of its plane, rate of its phase; NaN: the phase is 2^52 rad or more */
 void rot_frame_foucault(double omega, double latitude_deg, double gravity, double length,
                         const double r0[2], const double v0[2], double t, double r[2], double v[2],
-                        double *plane_rate);
+                        double *plane_rate, double *swing_rate_rad_per_s);
 
 /* => angle rate beta/(1 + beta) t modulo 4 pi, to some roundings up to 1e15 rad; rate t for
  * beta = Inf */

@@ -120,21 +120,22 @@ static void test_foucault(void) {
     const double v0[2] = {uniform(-1.0, 1.0), uniform(-1.0, 1.0)};
     const double turn = omega * sin(lat * pi / 180.0), t = uniform(-5.0, 5.0), h = 1e-3;
     static const double weight[4] = {1.0 / 12.0, -8.0 / 12.0, 8.0 / 12.0, -1.0 / 12.0};
-    double r[2], v[2], rate, dr[2] = {0.0}, dv[2] = {0.0};
+    double r[2], v[2], rate, swings, dr[2] = {0.0}, dv[2] = {0.0};
     for (int j = 0; j < 4; j++) {
       rot_frame_foucault(omega, lat, 9.8, length, r0, v0, t + (j < 2 ? j - 2 : j - 1) * h, r, v,
-                         &rate);
+                         &rate, &swings);
       for (int i = 0; i < 2; i++) {
         dr[i] += weight[j] * r[i] / h;
         dv[i] += weight[j] * v[i] / h;
       }
     }
-    rot_frame_foucault(omega, lat, 9.8, length, r0, v0, t, r, v, &rate);
+    rot_frame_foucault(omega, lat, 9.8, length, r0, v0, t, r, v, &rate, &swings);
     ROT_CHECK_REL(rate, -turn, 1e-15);
+    ROT_CHECK_REL(swings, sqrt(9.8 / length + turn * turn), 1e-15);
     ROT_CHECK(fabs(dr[0] - v[0]) <= 1e-8 && fabs(dr[1] - v[1]) <= 1e-8);
     ROT_CHECK(fabs(dv[0] - 2.0 * turn * v[1] + 9.8 / length * r[0]) <= 1e-8);
     ROT_CHECK(fabs(dv[1] + 2.0 * turn * v[0] + 9.8 / length * r[1]) <= 1e-8);
-    rot_frame_foucault(omega, lat, 9.8, length, r0, v0, 0.0, r, v, &rate);
+    rot_frame_foucault(omega, lat, 9.8, length, r0, v0, 0.0, r, v, &rate, &swings);
     ROT_CHECK(r[0] == r0[0] && r[1] == r0[1]);
     ROT_CHECK(fabs(v[0] - v0[0]) <= 1e-15 && fabs(v[1] - v0[1]) <= 1e-15);
   }

@@ -163,6 +163,13 @@ rot_status rot_axle_drag_stop(const rot_axle_scene *scene, double *time_s, doubl
   } else if (status == ROT_OK) {
     const rot_axle_base *base = &run.rest.base;
     *theta_rad = base->theta + base->heading * rot_drag_reach(&run.law, fabs(base->omega));
+  } else if (status == ROT_ERANGE && run.rest.base.omega == 0.0 &&
+             run.rest.piece.end_s == INFINITY &&
+             fabs(run.rest.piece.start_n_m) <= scene->static_n_m) {
+    /* At rest for good, at an angle that is no double. */
+    *time_s = run.rest.base.time_s;
+    *theta_rad = run.rest.base.heading * (double)INFINITY;
+    status = ROT_OK;
   }
   rot_events_free(&events);
   return status;
