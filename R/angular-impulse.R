@@ -75,6 +75,7 @@ angular_impulse <- function(torque, from_s = -Inf, to_s = Inf, ..., body = NULL,
     angular_impulse_n_m_s = parts[1, ], angular_impulse_error_n_m_s = parts[2, ]
   ))
   if (!is.null(inertia)) out$omega_change_rad_per_s <- parts[1, ] / inertia
+  warn_beyond(out["omega_change_rad_per_s"[!is.null(inertia)]], list(), n, call)
   new_table(out, nrow = n)
 }
 

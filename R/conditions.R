@@ -77,9 +77,12 @@ warn_beyond <- function(values, given, n, call) {
   if (!length(rows)) return(invisible())
   warn_rotdyn(c(
     "{.field {names(rows)}} exceed{?s/} double precision.",
-    x = "{cli::qty(length(rows))}{?It is/They are} Inf in row {min(unlist(rows))}."
+    x = "{cli::qty(length(rows))}{?It is/They are} Inf or NaN in row {min(unlist(rows))}."
   ), "range", call)
 }
+
+# For warn_beyond(): Inf - Inf, or Inf times 0, of numbers that are known.
+nan_as_inf <- function(x) replace(x, is.nan(x), Inf)
 
 # As warn_rotdyn(), but of plain text, in 0.1 ms: cli's markup takes 15.
 warn_quickly <- function(message, kind, call) {

@@ -187,6 +187,9 @@ filar_inertia <- function(swing, mass_kg, length_m, height_m, upper, lower, ampl
   high <- max(motion$amplitude, motion$swings$amplitude_rad)
   minimum <- square(wire$value, upper$value, lower$value) -
     4 * upper$value * lower$value * sin(high / 2)^2
+  if (!is.finite(minimum)) {
+    abort_rotdyn("The squares of the lengths and radii exceed double precision.", "range", call)
+  }
   if (minimum <= 0) {
     abort_rotdyn(c(
       "The wires do not reach from the upper to the lower circle.",

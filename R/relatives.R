@@ -109,7 +109,7 @@ spool_pull <- function(body, force_n, angle_deg, inner_radius_m, friction = Inf,
   turn <- -(force * x$radius_m + x$force_n * x$inner_radius_m)
   rolls <- x$force_n * (cosine - share) / (x$mass_kg * (1 + x$beta))
   free <- lifts | slips
-  new_table(list(
+  out <- list(
     acceleration_m_per_s2 = ifelse(free, (x$force_n * cosine + force) / x$mass_kg, rolls),
     alpha_rad_per_s2 = ifelse(free, turn / moment, rolls / x$radius_m),
     friction_force_n = force, normal_n = ifelse(lifts, 0, normal), friction_needed = needed,
@@ -119,7 +119,8 @@ spool_pull <- function(body, force_n, angle_deg, inner_radius_m, friction = Inf,
         rolls > 0, "rolls towards the pull", ifelse(rolls < 0, "rolls away", "stays")
       ))
     )
-  ), nrow = length(normal))
+  )
+  relative_table(out, x[names(x) != "friction"], call, "friction_needed")
 }
 
 #' @rdname relatives
@@ -133,11 +134,12 @@ yo_yo <- function(body, inner_radius_m, ..., radius_m = NULL, gravity_m_per_s2 =
   ), call)
   inertia <- x$beta * (x$radius_m / x$inner_radius_m)^2
   a <- x$gravity_m_per_s2 / (1 + inertia)
-  new_table(list(
+  out <- list(
     acceleration_m_per_s2 = a, alpha_rad_per_s2 = a / x$inner_radius_m,
     # m (g - a) would cancel where the yo-yo falls almost freely.
     tension_n = x$mass_kg * x$gravity_m_per_s2 / (1 + 1 / inertia)
-  ), nrow = length(a))
+  )
+  relative_table(out, x, call)
 }
 
 #' @rdname relatives
@@ -163,12 +165,13 @@ atwood_machine <- function(mass_1_kg, mass_2_kg, pulley, bearing_torque_n_m = 0,
     weight <- x$gravity_m_per_s2
     own * ifelse(net == 0, weight, ((2 * other + rim) * weight + held) / total)
   }
-  new_table(list(
+  out <- list(
     acceleration_m_per_s2 = net / total,
     tension_1_n = tension(x$mass_1_kg, x$mass_2_kg, sign(net) * held),
     tension_2_n = tension(x$mass_2_kg, x$mass_1_kg, -sign(net) * held),
     motion = ifelse(net > 0, "1 goes down", ifelse(net < 0, "2 goes down", "stays"))
-  ), nrow = length(net))
+  )
+  relative_table(out, x, call)
 }
 
 #' @rdname relatives
@@ -206,8 +209,7 @@ falling_rod <- function(rod, angle_deg, start_angle_deg = 0, ..., gravity_m_per_
     hinge_along_n = weight * (cosine - 1.5 * drop), hinge_across_n = weight * sine / 4,
     bending_moment_n_m = weight * x$length_m * sine / 27, break_at_m = x$length_m / 3 + 0 * sine
   )
-  warn_beyond(out, x, length(sine), call)
-  new_table(out, nrow = length(sine))
+  relative_table(out, x, call)
 }
 
 columns_of_rods <- function(rod, call) {
@@ -220,6 +222,14 @@ columns_of_rods <- function(rod, call) {
     ), "value", call)
   }
   c(list(length_m = vapply(rod, function(one) one$size_m[["length_m"]], double(1))), x)
+}
+
+# `other`: a column that is infinite where there is no such number.
+relative_table <- function(out, given, call, other = NULL) {
+  n <- length(out[[1]])
+  numbers <- Filter(is.numeric, out[setdiff(names(out), other)])
+  warn_beyond(lapply(numbers, nan_as_inf), given, n, call)
+  new_table(out, nrow = n)
 }
 
 sin_of <- function(angle_deg) .Call(ffi_lever, 1, 1, 1, as.double(angle_deg))

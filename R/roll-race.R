@@ -92,6 +92,7 @@ roll_race <- function(bodies = NULL, incline_angle_deg = 20, length_m = 1, ...,
   if (n != length(starts[[1]])) starts <- lapply(starts, rep_len, n)
   time_s <- race_times(time_s, frames, starts$finish_time_s, call)
   rows <- .Call(ffi_incline_frames, starts, time_s, progress_bar("race"))
+  warn_beyond(Filter(is.double, rows), list(), length(rows$lane), call)
   own <- objects[setdiff(names(objects), names(rows))]
   who <- rows$lane
   new_table(

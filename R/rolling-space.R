@@ -190,7 +190,7 @@ ball_on_turntable <- function(body, time_s, turntable_rad_per_s, x_m, y_m = 0, v
   # r^2 - r0^2 as a product.
   work <- 0.5 * x$mass_kg * k * table * (dx * (at_x + x$x_m) + dy * (at_y + x$y_m))
   speed <- sqrt(x$vx_m_per_s^2 + x$vy_m_per_s^2)
-  new_table(list(
+  out <- list(
     time_s = x$time_s, x_m = at_x, y_m = at_y, vx_m_per_s = vx, vy_m_per_s = vy,
     omega_x_rad_per_s = (table * at_x - vy) / x$radius_m,
     omega_y_rad_per_s = (table * at_y + vx) / x$radius_m,
@@ -200,5 +200,9 @@ ball_on_turntable <- function(body, time_s, turntable_rad_per_s, x_m, y_m = 0, v
     circle_radius_m = ifelse(k == 0, Inf, speed / abs(k)),
     circle_period_s = 2 * pi / abs(k), kinetic_energy_j = now, work_j = work,
     energy_residual_j = now - energy(x$x_m, x$y_m, x$vx_m_per_s, x$vy_m_per_s) - work
-  ), nrow = n, class = "rot_turntable")
+  )
+  # Without rotation the circle has no centre.
+  numbers <- out[!startsWith(names(out), "circle_")]
+  warn_beyond(lapply(numbers, nan_as_inf), x, n, call)
+  new_table(out, nrow = n, class = "rot_turntable")
 }

@@ -188,8 +188,22 @@ test_that("what squares or sums of numbers would lose is kept or named", {
   expect_equal(unlist(turned) / 1e308, c(x = 1, y = 0, z = 1.2 * sqrt(2)))
   expect_warning(attitude_turn(quarter, c(0, 1.7e308, 1.7e308)), class = "rotdyn_warning_range")
   plan <- sweep_plan(
-    scene_axle(1, omega0_rad_per_s = 1), 1, design_grid(omega0_rad_per_s = c(1, 1.2, 1.4) * 1e308),
-    outputs = "final_omega_rad_per_s"
+    scene_axle(1, theta0_rad = 1), 1, design_grid(theta0_rad = c(1, 1.2, 1.4) * 1e308),
+    outputs = "final_theta_rad"
   )
   expect_warning(summary(sweep_run(plan)), "mean", class = "rotdyn_warning_range")
+})
+
+test_that("closed forms say which numbers are beyond double precision", {
+  beyond <- function(expr) expect_warning(expr, class = "rotdyn_warning_range")
+  beyond(yo_yo(body_disk(1, 0.1), 0.01, gravity_m_per_s2 = 1.7e308))
+  beyond(atwood_machine(1.7e308, 1, body_disk(1, 0.1)))
+  beyond(spool_pull(body_disk(1e-310, 0.1), 1, 20, 0.05, 0.3))
+  beyond(ball_on_turntable(body_sphere(1, 0.1), 1, 1, 1e160))
+  beyond(angular_impulse(torque_pulse(1, 1, 2), body = 1e-310))
+  beyond(roll_race(list(body_disk(1, 0.1)), 20, 1.7e308, frames = 3))
+  expect_error(inertia_bifilar(1, 2, 1, 1.7e308, 0.2), class = "rotdyn_error_range")
+  # A ball at rest on a table at rest, and a pull at which nothing presses on the floor: no warning.
+  expect_silent(ball_on_turntable(body_sphere(1, 0.1), 1, 0, 1))
+  expect_silent(spool_pull(body_disk(1, 0.1), 100, 80, 0.05))
 })
