@@ -83,7 +83,8 @@ axle_stops <- function(scene, call) {
   x <- .Call(ffi_axle_stopping, scene)
   if (is.na(x[1])) {
     abort_rotdyn(c(
-      "The motion to the stop exceeds double precision.", i = "Start slower, or with more resistance."
+      "The motion to the stop exceeds double precision.",
+      i = "Start slower, or with more resistance."
     ), "range", call)
   }
   if (is.finite(x[1])) warn_beyond(list(stop_theta_rad = x[2]), list(), 1L, call)

@@ -22,7 +22,8 @@ typedef struct rot_panels {
 } rot_panels;
 
 /* Halves panels until the error is below rounding, 24 times at most; with too many panels the error
- * is NaN, or with `bounded` the range of the integrand, or ten times the difference of the two rules. A panel whose integral is not finite is not halved. */
+ * is NaN, or with `bounded` the range of the integrand times the length, or ten times the
+ * difference of the two rules. A panel whose integral is not finite is not halved. */
 rot_status rot_panels_integrate(const rot_panels *panels, rot_panels_rates rates, void *ctx);
 
 #endif

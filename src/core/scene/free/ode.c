@@ -340,8 +340,8 @@ static void swap(run *a, run *b) {
   *b = one;
 }
 
-/* => lower limit of the angle turned up to the last row, in rad; 0 where a law, damping or motors may
- * stop the body. */
+/* => lower limit of the angle turned up to the last row, in rad; 0 where a law, damping or rotors
+ * may stop the body. */
 static double min_angle(const motion *m, size_t n, const double time_s[]) {
   const rot_free_params *p = m->p;
   const double *moment = p->moment_kg_m2;
