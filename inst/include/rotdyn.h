@@ -99,7 +99,7 @@ typedef int (*rotdyn_law_fn)(const double *argument, double *value, void *contex
  *   rotdyn_object_free(scene);
  *
  * A list is an object, too, made by the name "list". What is set in it without a name (NULL) is
- * added at its end; unset adds an empty place. A torque that is a list is the sum of its laws.
+ * added at its end; unset adds an empty place. Torques are added up by "torque_sum".
  *
  * Numbers and objects are copied when they are set. A scene may be run from several threads at a
  * time while none sets it. */

@@ -76,9 +76,13 @@ void rot_api_events(const rot_events *from, rotdyn_events *to) {
 }
 
 const char *rot_api_options(const rotdyn_options *from, rotdyn_options *to) {
+  rotdyn_events events;
   memset(to, 0, sizeof *to);
   if (from && !rot_api_take(from, sizeof *to, to)) {
     return "the size of the options or a member beyond this version is wrong";
+  }
+  if (to->events && !rot_api_take(to->events, sizeof events, &events)) {
+    return "the size of `events` or a member beyond this version is wrong";
   }
   if (to->accuracy == 0.0) to->accuracy = 1e-9;
   if (to->max_steps == 0.0) to->max_steps = 1e6;

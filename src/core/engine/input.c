@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "ground/text.h"
+
 const char *const rot_max_static[] = {"static_friction", NULL};
 
 size_t rot_input_named(size_t n, const rot_input inputs[], const char *name) {
@@ -21,6 +23,14 @@ rot_status rot_refuse(rot_refusal *refusal, size_t input, const char *format, ..
   (void)vsnprintf(refusal->reason, sizeof refusal->reason, format, arguments);
   va_end(arguments);
   return ROT_EVALUE;
+}
+
+rot_status rot_refuse_numbers(rot_refusal *refusal, size_t input, const char *format, double first,
+                              double second) {
+  char text[2][ROT_TEXT_SIZE];
+  (void)rot_text_number(first, text[0]);
+  (void)rot_text_number(second, text[1]);
+  return rot_refuse(refusal, input, format, text[0], text[1]);
 }
 
 void rot_refused_in(rot_refusal *refusal, const char *format, ...) {
@@ -109,11 +119,13 @@ static rot_status check_domain(const rot_input *input, size_t at, double x, rot_
                       x);
   }
   if (x < input->low || (input->above && x == input->low)) {
-    return rot_refuse(refusal, at, "must be %s %g; it is %.17g",
-                      input->above ? "greater than" : "at least", input->low, x);
+    return rot_refuse_numbers(refusal, at,
+                              input->above ? "must be greater than %s; it is %s"
+                                           : "must be at least %s; it is %s",
+                              input->low, x);
   }
   if (x > input->high) {
-    return rot_refuse(refusal, at, "must be at most %g; it is %.17g", input->high, x);
+    return rot_refuse_numbers(refusal, at, "must be at most %s; it is %s", input->high, x);
   }
   return ROT_OK;
 }
@@ -212,8 +224,9 @@ rot_status rot_inputs_check(size_t n, const rot_input inputs[], const rot_given 
     if (status != ROT_OK || !given[i].is || given[i].n != 1) continue;
     const size_t max = max_of(inputs, i);
     if (max < i && given[i].x[0] > rot_input_number(inputs, given, max)) {
-      status = rot_refuse(refusal, i, "must be at most `%s`, %g; it is %g", inputs[max].name,
-                          rot_input_number(inputs, given, max), given[i].x[0]);
+      status = rot_refuse_numbers(refusal, i, "%s; it is %s", rot_input_number(inputs, given, max),
+                                  given[i].x[0]);
+      rot_refused_in(refusal, "must be at most `%s`,", inputs[max].name);
     }
   }
   return status;

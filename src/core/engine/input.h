@@ -110,6 +110,10 @@ rot_status rot_inputs_check(size_t n, const rot_input inputs[], const rot_given 
 /* ROT_EVALUE, with the input and why it is refused. */
 rot_status rot_refuse(rot_refusal *refusal, size_t input, const char *format, ...);
 
+/* The same with two numbers, each the shortest text that reads back: `format` has two %s. */
+rot_status rot_refuse_numbers(rot_refusal *refusal, size_t input, const char *format, double first,
+                              double second);
+
 /* Puts the place where it was refused in front of the reason: "item 2". */
 void rot_refused_in(rot_refusal *refusal, const char *format, ...);
 

@@ -49,8 +49,8 @@ rot_status rot_law_window(const rot_input inputs[], const rot_given given[], siz
   window[0] = rot_input_number(inputs, given, from);
   window[1] = rot_input_number(inputs, given, from + 1);
   if (window[0] < window[1]) return ROT_OK;
-  return rot_refuse(no, from, "must lie before `to_s`; they are %.17g and %.17g", window[0],
-                    window[1]);
+  return rot_refuse_numbers(no, from, "must lie before `to_s`; they are %s and %s", window[0],
+                            window[1]);
 }
 
 static rot_status same_count(const rot_given given[], size_t a, size_t b, rot_refusal *no) {
@@ -349,8 +349,8 @@ static const rot_input motor_inputs[] = {
 BUILD(motor) {
   const double stall = VALUE(0), fast = VALUE(1), slope = stall / fast;
   if (!isfinite(slope) || slope < 0.0) {
-    return rot_refuse(no, 1, "must not be 0 and have the sign of the stall torque, %g; it is %g",
-                      stall, fast);
+    return rot_refuse_numbers(
+        no, 1, "must not be 0 and have the sign of the stall torque, %s; it is %s", stall, fast);
   }
   return one_law(
       (rot_law_one){.kind = ROT_LAW_MOTOR, .stall_n_m = stall, .no_load_rad_per_s = fast}, store,
@@ -376,7 +376,12 @@ static const rot_input sum_inputs[] = {
      ROT_NO_DOMAIN, NAN, "what is added up", NULL}};
 
 BUILD(sum) {
-  (void)part, (void)no;
+  (void)part;
+  for (size_t i = 0; i < given[0].n && given[0].is == ROT_INPUT_LIST; i++) {
+    if (given[0].item[i].is == ROT_INPUT_LIST) {
+      return rot_refuse(no, 0, "item %zu must not be a list", i + 1);
+    }
+  }
   return rot_law_sum_of(&given[0], store, to) == ROT_OK ? ROT_OK : ROT_ENOMEM;
 }
 

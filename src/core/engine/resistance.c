@@ -30,8 +30,8 @@ static rot_status build(const rot_part *part, const rot_given given[], rot_store
   *(rot_resistance *)to = (rot_resistance){x[VISCOUS], x[QUADRATIC], x[COULOMB], x[STATIC],
                                            x[DAMPING], x[DRAG],      x[DRAG_2]};
   if (x[STATIC] >= x[COULOMB]) return ROT_OK;
-  return rot_refuse(no, STATIC, "must be at least the sliding friction, %g; it is %g", x[COULOMB],
-                    x[STATIC]);
+  return rot_refuse_numbers(no, STATIC, "must be at least the sliding friction, %s; it is %s",
+                            x[COULOMB], x[STATIC]);
 }
 
 const rot_part rot_resistance_part = {"resistance", ROT_INPUT_RESISTANCE,   TERMS,

@@ -131,6 +131,9 @@ static void check_setting(void) {
   ROT_CHECK(refused(disk, "radius_m", "at least 0"));
   ROT_CHECK_EQ_INT(rotdyn_set_object(axle, "body", disk), ROTDYN_OK);
   ROT_CHECK(refused(axle, "body", "in body_disk, `radius_m` must be at least 0; it is -0.5"));
+  (void)rotdyn_set_number(disk, "radius_m", -0.1);
+  (void)rotdyn_set_object(axle, "body", disk);
+  ROT_CHECK(refused(axle, "body", "at least 0; it is -0.1"));
   /* Of a report: rows for each time. */
   rotdyn_report report = ROTDYN_INIT(rotdyn_report);
   rotdyn_object *rotors = rotdyn_object_new("scene_rotors");
@@ -162,10 +165,9 @@ static void check_list_objects(void) {
   ROT_CHECK(refused(rotors, "bodies", "item 4 is nothing"));
   ROT_CHECK_EQ_INT(rotdyn_object_check(list, &report), ROTDYN_EARGUMENT);
   ROT_CHECK_EQ_INT(rotdyn_set_text(list, NULL, "z"), ROTDYN_EARGUMENT);
-  rotdyn_object *axle = rotdyn_object_new("scene_axle");
-  (void)rotdyn_set_number(axle, "body", 1.0);
-  ROT_CHECK_EQ_INT(rotdyn_set_numbers(axle, "torque", 3, x), ROTDYN_OK);
-  ROT_CHECK_EQ_INT(rotdyn_object_check(axle, NULL), ROTDYN_OK);
+  rotdyn_object *sum = rotdyn_object_new("torque_sum");
+  ROT_CHECK_EQ_INT(rotdyn_set_numbers(sum, "laws", 3, x), ROTDYN_OK);
+  ROT_CHECK_EQ_INT(rotdyn_object_check(sum, NULL), ROTDYN_OK);
   /* What the input does not take is refused with its place. */
   rotdyn_object *laws = rotdyn_object_new("list"), *pulse = rotdyn_object_new("torque_pulse");
   (void)rotdyn_set_number(pulse, "start_s", 1.0);
@@ -173,8 +175,8 @@ static void check_list_objects(void) {
   (void)rotdyn_set_number(pulse, "torque_n_m", 1.0);
   (void)rotdyn_set_law(laws, NULL, no_law, NULL);
   (void)rotdyn_set_object(laws, NULL, pulse);
-  ROT_CHECK_EQ_INT(rotdyn_set_object(axle, "torque", laws), ROTDYN_OK);
-  ROT_CHECK(refused(axle, "torque",
+  ROT_CHECK_EQ_INT(rotdyn_set_object(sum, "laws", laws), ROTDYN_OK);
+  ROT_CHECK(refused(sum, "laws",
                     "in item 2, in torque_pulse, `duration_s` must be greater than 0; it is -1"));
   ROT_CHECK_EQ_INT(give(laws, NULL, rotdyn_object_new("brake")), ROTDYN_OK);
   (void)rotdyn_set_number(pulse, "duration_s", 1.0);
@@ -184,8 +186,8 @@ static void check_list_objects(void) {
   (void)rotdyn_set_number(disk, "mass_kg", 1.0);
   (void)rotdyn_set_number(disk, "radius_m", 1.0);
   (void)give(laws, NULL, disk);
-  ROT_CHECK_EQ_INT(rotdyn_set_object(axle, "torque", laws), ROTDYN_OK);
-  ROT_CHECK(refused(axle, "torque", "item 1 is of a kind that this input does not take"));
+  ROT_CHECK_EQ_INT(rotdyn_set_object(sum, "laws", laws), ROTDYN_OK);
+  ROT_CHECK(refused(sum, "laws", "item 1 is of a kind that this input does not take"));
   /* Lists in lists, to a depth. */
   int status = ROTDYN_OK, depth = 0;
   while (status == ROTDYN_OK && depth < 100) {
@@ -196,7 +198,7 @@ static void check_list_objects(void) {
     depth++;
   }
   ROT_CHECK(status == ROTDYN_EARGUMENT && depth > 8 && depth < 100);
-  rotdyn_object_free(axle);
+  rotdyn_object_free(sum);
   rotdyn_object_free(rotors);
   rotdyn_object_free(list);
   rotdyn_object_free(laws);
@@ -359,19 +361,22 @@ static void check_capacities(void) {
   for (size_t i = 0; i < 2; i++) {
     rotdyn_object *part = rotdyn_object_new(makers[i]), *knots = rotdyn_object_new("torque_knots");
     rotdyn_object *list = rotdyn_object_new("list"), *wave = rotdyn_object_new("torque_sinusoid");
+    rotdyn_object *sum = rotdyn_object_new("torque_sum");
     (void)rotdyn_set_numbers(knots, "time_s", 3, time_s);
     (void)rotdyn_set_numbers(knots, "torque_n_m", 3, values);
     (void)rotdyn_set_object(part, "capacity_n_m", knots);
     ROT_CHECK(refused(part, "capacity_n_m", "at least 0 at all knots; it falls to -0.5"));
     (void)rotdyn_set_object(list, NULL, knots);
     (void)rotdyn_set_number(list, NULL, 2.0);
-    (void)rotdyn_set_object(part, "capacity_n_m", list);
+    (void)rotdyn_set_object(sum, "laws", list);
+    (void)rotdyn_set_object(part, "capacity_n_m", sum);
     ROT_CHECK_EQ_INT(rotdyn_object_check(part, NULL), ROTDYN_OK);
     (void)rotdyn_set_number(wave, "amplitude_n_m", 1.0);
     (void)rotdyn_set_number(wave, "angular_frequency_rad_per_s", 2.0);
     (void)rotdyn_set_object(part, "capacity_n_m", wave);
     ROT_CHECK_EQ_INT(rotdyn_object_check(part, NULL), ROTDYN_OK);
     rotdyn_object_free(wave);
+    rotdyn_object_free(sum);
     rotdyn_object_free(list);
     rotdyn_object_free(knots);
     rotdyn_object_free(part);

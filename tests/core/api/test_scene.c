@@ -612,24 +612,36 @@ static void check_axes(void) {
   rotdyn_object_free(scene);
 }
 
+static int give_sum(rotdyn_object *scene, const rotdyn_object *laws) {
+  rotdyn_object *sum = rotdyn_object_new("torque_sum");
+  (void)rotdyn_set_object(sum, "laws", laws);
+  return give(scene, "torque", sum);
+}
+
 /* A sum is the law in normal form: constants and motors, two laws of the caller. */
 static void check_sums(void) {
   static const char *const of_motor[] = {"stall_torque_n_m", "no_load_omega_rad_per_s"};
   rotdyn_object *scene = axle(0.5), *list = rotdyn_object_new("list");
   (void)rotdyn_set_number(list, NULL, 1.0);
   (void)give(list, NULL, part("torque_motor", 2, of_motor, (double[]){2.0, 8.0}));
-  (void)rotdyn_set_object(scene, "torque", list);
+  (void)give_sum(scene, list);
   /* I omega' = 3 - omega/4 */
   one x = state(scene, 2.0, NULL);
   ROT_CHECK(!strcmp(x.report.model, "axle_linear"));
   ROT_CHECK_REL(x.omega, -12.0 * expm1(-1.0), 1e-14);
-  rotdyn_object *nested = rotdyn_object_new("list");
-  (void)rotdyn_set_object(nested, NULL, list);
-  (void)rotdyn_set_numbers(nested, NULL, 2, (double[]){5.0, -5.0});
-  (void)rotdyn_set_object(scene, "torque", nested);
+  (void)rotdyn_set_number(list, NULL, 5.0);
+  (void)rotdyn_set_number(list, NULL, -5.0);
+  (void)give_sum(scene, list);
   const one same = state(scene, 2.0, NULL);
   ROT_CHECK(same.omega == x.omega && same.theta == x.theta);
-  rotdyn_object_free(nested);
+  /* A sum has a name: numbers of an axle are a mistake, as in R. */
+  ROT_CHECK_EQ_INT(rotdyn_set_object(scene, "torque", list), ROTDYN_EARGUMENT);
+  ROT_CHECK_EQ_INT(rotdyn_set_numbers(scene, "torque", 2, (double[]){1.0, 2.0}), ROTDYN_EARGUMENT);
+  rotdyn_object *outer = rotdyn_object_new("list");
+  (void)rotdyn_set_object(outer, NULL, list);
+  (void)give_sum(scene, outer);
+  ROT_CHECK(refused(scene, "torque", "item 1 must not be a list"));
+  rotdyn_object_free(outer);
   rotdyn_object_free(list);
   rotdyn_object_free(scene);
 }
@@ -666,7 +678,7 @@ static void check_integrated(void) {
   /* Two halves are the whole, to the last bit. */
   (void)rotdyn_set_law(list, NULL, half_drive, NULL);
   (void)rotdyn_set_law(list, NULL, half_drive, NULL);
-  (void)rotdyn_set_object(scene, "torque", list);
+  (void)give_sum(scene, list);
   const one halves = state(scene, 0.75, NULL);
   ROT_CHECK(halves.omega == x.omega && halves.theta == x.theta);
   (void)rotdyn_set_law(scene, "torque", driven, NULL);
@@ -754,6 +766,15 @@ static void check_events(void) {
   ROT_CHECK_EQ_INT(events.count, 1);
   ROT_CHECK(name[0] && !strcmp(name[0], "stick"));
   ROT_CHECK_REL(when[0], 2.0, 1e-15);
+  /* Events of a wrong size would be left as they are. */
+  events.size = 7;
+  ROT_CHECK_EQ_INT(state(scene, 5.0, &options).status, ROTDYN_EARGUMENT);
+  rotdyn_report report = ROTDYN_INIT(rotdyn_report);
+  rotdyn_balance balance = ROTDYN_INIT(rotdyn_balance);
+  const double end = 1.0;
+  ROT_CHECK_EQ_INT(rotdyn_scene_balance(scene, 1, &end, &options, 0, &balance, &report),
+                   ROTDYN_EARGUMENT);
+  ROT_CHECK(strstr(report.reason, "`events`") != NULL);
   rotdyn_object_free(scene);
 }
 

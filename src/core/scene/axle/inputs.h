@@ -48,6 +48,6 @@ rot_status rot_axle_load(const rot_given *torque, const rot_resistance *resistan
 rot_status rot_axle_gather_breaks(rot_axle_scene *scene, rot_store *store);
 
 /* Kinds of an input that is a torque. */
-#define ROT_TORQUE_KINDS (ROT_INPUT_NUMBER | ROT_INPUT_LAW | ROT_INPUT_TORQUE | ROT_INPUT_LIST)
+#define ROT_TORQUE_KINDS (ROT_INPUT_NUMBER | ROT_INPUT_LAW | ROT_INPUT_TORQUE)
 
 #endif

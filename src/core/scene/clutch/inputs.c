@@ -29,9 +29,7 @@ const rot_input rot_clutch_inputs[ROT_CLUTCH_INPUTS] = {
     [TORQUE] = {"torque", "N*m",
                 ROT_INPUT_NUMBER | ROT_INPUT_TORQUE | ROT_INPUT_LIST | ROT_INPUT_NOTHING, 0,
                 ROT_NO_DOMAIN, NAN,
-                "constant between jumps: a list with a law, a sum of them (a list) or nothing for "
-                "each body",
-                NULL},
+                "constant between jumps: a list with a law or nothing for each body", NULL},
     [THETA0] = STATE("theta0_rad", "rad", "of the two bodies at the start"),
     [OMEGA0] = STATE("omega0_rad_per_s", "rad/s", "of the two bodies at the start"),
     [ENGAGE] = {"engage_s", "s", ROT_INPUT_LIMIT, 0, -INFINITY, DBL_MAX, 0, -INFINITY,
@@ -100,8 +98,8 @@ rot_status rot_clutch_build(const rot_given given[], rot_store *store, void *to,
   p->capacity_n_m = NUMBER(CAPACITY);
   p->static_n_m = given[STATIC].is ? NUMBER(STATIC) : p->capacity_n_m;
   if (p->static_n_m < p->capacity_n_m) {
-    return rot_refuse(no, STATIC, "must be at least the slipping capacity, %g; it is %g",
-                      p->capacity_n_m, p->static_n_m);
+    return rot_refuse_numbers(no, STATIC, "must be at least the slipping capacity, %s; it is %s",
+                              p->capacity_n_m, p->static_n_m);
   }
   p->start_s = NUMBER(START);
   p->engage_s = fmax(NUMBER(ENGAGE), p->start_s);

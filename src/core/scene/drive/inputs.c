@@ -134,10 +134,9 @@ const rot_input rot_drive_inputs[ROT_DRIVE_INPUTS] = {
                 DBL_MAX, 1, NAN, "in their order: bodies, of which Izz counts, or moments", NULL},
     [COUPLINGS] = {"couplings", "", ROT_INPUT_COUPLING | ROT_INPUT_LIST, 0, ROT_NO_DOMAIN, NAN,
                    "one less than there are bodies, or one for all", NULL},
-    [TORQUE] = {"torque", "N*m", ROT_TORQUE_KINDS | ROT_INPUT_NOTHING, 0, ROT_NO_DOMAIN, NAN,
-                "a list with a law, a sum of them (a list) or nothing for each rotor; of one rotor "
-                "the law",
-                NULL},
+    [TORQUE] = {"torque", "N*m", ROT_TORQUE_KINDS | ROT_INPUT_LIST | ROT_INPUT_NOTHING, 0,
+                ROT_NO_DOMAIN, NAN,
+                "a list with a law or nothing for each rotor; of one rotor the law", NULL},
     [RESISTANCE] = {"resistance", "", ROT_INPUT_RESISTANCE | ROT_INPUT_LIST | ROT_INPUT_NOTHING, 0,
                     ROT_NO_DOMAIN, NAN, "likewise", rot_axle_resistance},
     [BRAKE] = {"brake", "", ROT_INPUT_BRAKE | ROT_INPUT_LIST | ROT_INPUT_NOTHING, 0, ROT_NO_DOMAIN,
@@ -163,7 +162,7 @@ static rot_status check_counts(const rot_given given[], size_t n, rot_refusal *n
     if (g->is && (g->is == ROT_INPUT_LIST ? g->n != n : n != 1)) {
       return rot_refuse(no, input, "must be a list with one item for each of the %zu rotors", n);
     }
-    for (size_t i = 0; g->is == ROT_INPUT_LIST && input != TORQUE && i < n; i++) {
+    for (size_t i = 0; g->is == ROT_INPUT_LIST && i < n; i++) {
       if (g->item[i].is == ROT_INPUT_LIST) {
         return rot_refuse(no, input, "item %zu must not be a list", i + 1);
       }
