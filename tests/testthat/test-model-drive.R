@@ -742,3 +742,18 @@ test_that("gears with a loss reverse as the train of an axle does", {
   expect_identical(got$event, want$event)
   expect_equal(got$time_s, want$time_s, tolerance = 1e-12)
 })
+
+test_that("an open clutch whose slip changes its sign reverses, as scene_clutch() says", {
+  # The slip is 2 - t; from 5 s on it falls from 3 by 2 x 2 - 1 = 3 rad/s^2.
+  torque <- list(torque_constant(-1), NULL)
+  drive <- scene_drive(c(1, 1), coupling_clutch(2, from_s = 5), torque = torque,
+                       omega0_rad_per_s = c(2, 0))
+  clutch <- scene_clutch(1, 1, 2, torque = torque, omega0_rad_per_s = c(2, 0), engage_s = 5)
+  expected <- motion_events(trajectory(clutch, 0:12))
+  expect_equal(expected$time_s, c(2, 6))
+  for (model in c("drive_clutch", "drive_rk8pd", "drive_radau")) {
+    events <- motion_events(trajectory(drive, 0:12, model = model))
+    expect_identical(events$event, c("reverse", "lock"))
+    expect_equal(events$time_s, c(2, 6), tolerance = 1e-9)
+  }
+})

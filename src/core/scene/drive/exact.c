@@ -617,11 +617,10 @@ static void write_ledger(const exact *x, size_t n, const double t[], const integ
   out->twist_error_rad = 2.0 * theta;
 }
 
-/* Events of the clutch, at its coupling; none before it is engaged. */
+/* Events of the clutch, at its coupling. */
 static rot_status place_events(const exact *x, const rot_events *found, rot_events *events) {
   const int where = x->u.m > 1 ? -(int)(x->u.between[0] + 1) : 1;
   for (size_t i = 0; i < found->count; i++) {
-    if (x->form == ROT_DRIVE_AS_CLUTCH && found->time_s[i] < x->clutch.engage_s) continue;
     if (x->form != ROT_DRIVE_AS_CLUTCH) continue;
     const rot_status status = rot_events_add_at(events, found->time_s[i], found->event[i], where);
     if (status != ROT_OK) return status;

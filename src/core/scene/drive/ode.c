@@ -119,7 +119,7 @@ static int place_of(const motion *m, size_t k) {
 }
 
 /* (modes before, after) => events. Changes from open to slipping, or without capacity, are no
- * events; a lossy gear resists, though it has none. */
+ * events, but for a clutch whose slip changes its sign; a lossy gear resists, though it has none. */
 static rot_status log_changes(motion *m, double t, const signed char before[],
                               const signed char after[]) {
   rot_status status = ROT_OK;
@@ -128,7 +128,9 @@ static rot_status log_changes(motion *m, double t, const signed char before[],
     const int clutch = m->s.contact[k].coupling != SIZE_MAX;
     const int resists =
         m->s.capacity[k] > 0.0 || (!clutch && m->s.unit[m->s.contact[k].unit].lossy);
-    if (before[k] == after[k] || (!sticks && !resists && !stuck)) continue;
+    const int turns = clutch && !stuck && before[k] != ROT_DRIVE_OPEN &&
+                      rot_drive_slip_rate(&m->s, k) * (double)before[k] < 0.0;
+    if (before[k] == after[k] || (!sticks && !resists && !stuck && !turns)) continue;
     if (before[k] == ROT_DRIVE_OPEN && !sticks) continue;
     const rot_event event = sticks  ? (clutch ? ROT_EVENT_LOCK : ROT_EVENT_STICK)
                             : stuck ? ROT_EVENT_SLIP
