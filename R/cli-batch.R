@@ -21,10 +21,11 @@ cli_run_batch <- function(words, options, state) {
     if (isTRUE(options$quiet)) "--quiet"
   )
   one <- function(line, at) {
-    arguments <- cli_split(line)
+    arguments <- if (!is.na(line)) cli_split(line)
     if (is.null(arguments)) {
-      status <- cli_status[["usage"]]
-      state$err(paste0("rotdyn: ", at, ": a quote is not closed"))
+      status <- cli_status[[if (is.na(line)) "input" else "usage"]]
+      fault <- if (is.na(line)) "it has a zero byte: it is no text" else "a quote is not closed"
+      state$err(paste0("rotdyn: ", at, ": ", fault))
     } else {
       if (identical(arguments[1], "rotdyn")) arguments <- arguments[-1L]
       if (!length(arguments)) return(invisible())
@@ -63,7 +64,7 @@ cli_each_line <- function(path, state, of) {
     on.exit(close(connection))
     open(connection, "r")
     number <- 0L
-    while (length(line <- readLines(connection, 1L, warn = FALSE))) {
+    while (length(line <- connection_lines(connection, 1L))) {
       number <- number + 1L
       if (!of(line, number)) break
     }

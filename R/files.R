@@ -116,9 +116,18 @@ bytes_text <- function(bytes) {
 # Of a connection of the user's, which may be open for text: then readLines() warns of zero bytes,
 # and of the end of the last line, in the language of the session.
 connection_text <- function(con) {
+  lines <- connection_lines(con)
+  if (anyNA(lines)) return(NA_character_)
+  text <- paste(lines, collapse = "\n")
+  Encoding(text) <- "UTF-8"
+  text
+}
+
+# The next n lines, or all; NA where one has a zero byte, behind which readLines() drops the rest.
+connection_lines <- function(con, n = -1L) {
   said <- character()
   lines <- withCallingHandlers(
-    readLines(con, encoding = "UTF-8"),
+    readLines(con, n, encoding = "UTF-8"),
     warning = function(w) {
       said <<- c(said, conditionMessage(w))
       invokeRestart("muffleWarning")
@@ -126,8 +135,5 @@ connection_text <- function(con) {
   )
   last <- sprintf(gettext("incomplete final line found on '%s'", domain = "R"),
                   summary(con)$description)
-  if (length(setdiff(said, last))) return(NA_character_)
-  text <- paste(lines, collapse = "\n")
-  Encoding(text) <- "UTF-8"
-  text
+  if (length(setdiff(said, last))) NA_character_ else lines
 }

@@ -71,3 +71,22 @@ test_that("a program gets each answer before it asks again", {
   said <- system(paste("cd", shQuote(folder), "&& sh talk.sh"), intern = TRUE)
   expect_match(said, "^rotdyn .*[|]END 0[|]0[.]4,.*[|]END 0$")
 })
+
+test_that("a zero byte is an error of its line", {
+  file <- tempfile()
+  on.exit(unlink(file))
+  text <- c(
+    charToRaw("roll --beta 0.4\nroll --beta 0.4"), as.raw(0),
+    charToRaw(" --format json\nroll --beta 0.4")
+  )
+  writeBin(text, file)
+  out <- err <- character()
+  status <- rotdyn:::cli_run(
+    c("batch", "-", "--mark", "END"), function(lines) out <<- c(out, lines),
+    function(lines) err <<- c(err, lines), file, FALSE, rotdyn:::cli_verbs()
+  )
+  expect_identical(status, 3L)
+  expect_identical(grep("^END", out, value = TRUE), paste("END", c(0, 3, 0)))
+  expect_match(err, "line 2: it has a zero byte", fixed = TRUE)
+  expect_length(err, 1L)
+})
