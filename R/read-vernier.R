@@ -37,7 +37,10 @@ vernier_sets <- function(text, file, call) {
     name <- get("DataObjectName")
     cells <- lapply(columns, function(x) {
       text <- xml2::xml_text(xml2::xml_find_first(x, "./ColumnCells"))
-      if (is.na(text)) character() else trimws(strsplit(trimws(text), "\\s*\n\\s*")[[1]])
+      # A blank line between others is a cell without a value.
+      text <- sub("^[ \t]*\n", "", gsub("\r\n?", "\n", text))
+      if (is.na(text) || !nzchar(trimws(text))) return(character())
+      trimws(strsplit(sub("\\s+$", "", text), "\n", fixed = TRUE)[[1]])
     })
     has <- lengths(cells) > 0L & !is.na(name)
     if (!any(has)) return(NULL)

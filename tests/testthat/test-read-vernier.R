@@ -112,3 +112,15 @@ test_that("a column of a project that is shorter has no value in the last rows",
   expect_equal(r$time_s, samples(28)$t)
   expect_equal(r$theta_rad, samples(28)$a)
 })
+
+test_that("a blank line among the cells of a project is a value that is missing", {
+  skip_if_not_installed("xml2")
+  text <- paste(vernier_xml(list("Run 1" = samples(30))), collapse = "\n")
+  blank <- sub("\n3.1\n", "\n\n", text, fixed = TRUE)
+  expect_false(identical(blank, text))
+  r <- read_motion(text_file(blank, ext = ".cmbl"))
+  kept <- is.finite(r$theta_rad)
+  expect_equal(sum(kept), 29)
+  expect_equal(r$theta_rad[kept], samples(30)$a[-27])
+  expect_equal(r$time_s[kept], samples(30)$t[-27])
+})
