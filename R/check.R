@@ -221,7 +221,7 @@ check_not_negative <- function(x, arg, unit, call, open = FALSE) {
   if (length(bad)) abort_domain(x[bad[1]], arg, unit, call, 0, Inf, open, row = bad[1])
 }
 
-abort_missing_column <- function(column, data, call) {
+abort_missing_column <- function(column, data, call, hint = NULL) {
   abort_rotdyn(c(
     "The table needs a column {.field {column}}.",
     x = if (!length(data)) {
@@ -230,7 +230,8 @@ abort_missing_column <- function(column, data, call) {
       "Its columns are {.field {names(data)}}."
     } else {
       "Its columns have no names."
-    }
+    },
+    i = hint
   ), "type", call)
 }
 

@@ -16,7 +16,7 @@ fit_records <- function(records, scene, observed, call) {
   for (i in seq_along(records)) {
     one <- records[[i]]
     if (!"time_s" %in% names(one)) {
-      abort_rotdyn("A record must have the column {.field time_s}.", "missing", call)
+      abort_missing_column("time_s", one, call)
     }
     wanted <- if (is.null(observed)) intersect(names(one), known) else observed
     missing <- setdiff(wanted, intersect(names(one), known))

@@ -32,7 +32,7 @@ incline_parameters <- list(
 #'   `error` is a bound. Paths begin at 0. A row with NA in what it needs has NA in these.
 #' @section Warnings: `rotdyn_warning_range` names the rows that leave the range of double
 #'   precision; they are NaN.
-#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_missing`,
+#' @section Errors: `rotdyn_error_type` (also for a column that is missing), `rotdyn_error_size`,
 #'   `rotdyn_error_value` with the first row outside its domain (also a slip that an infinite
 #'   kinetic friction would end at once), `rotdyn_error_unit`, `rotdyn_error_argument`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), section 2.4.
@@ -91,11 +91,11 @@ incline_inputs <- function(parameters, time_s, call) {
   names(columns) <- names(incline_parameters)
   for (name in c("beta", "radius_m", "incline_angle_deg", "time_s")) {
     if (is.null(columns[[name]])) {
-      abort_rotdyn(c(
-        "{.field {name}} is missing.",
-        i = "The columns of {.arg parameters} are {.field {names(parameters)}}.",
-        i = if (name == "beta") "{.fn rolling_table} and {.fn shapes} have it for bodies."
-      ), "missing", call)
+      if (name == "time_s") check_supplied(name, call)
+      abort_missing_column(
+        name, parameters, call,
+        if (name == "beta") "{.fn rolling_table} and {.fn shapes} have it for bodies."
+      )
     }
   }
   if (is.null(columns$kinetic_friction)) columns$kinetic_friction <- columns$static_friction

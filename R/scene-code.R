@@ -3,7 +3,8 @@
 #' R code that makes a scene
 #'
 #' The calls of constructors that make a scene or a body again: for a script, a lesson, or a
-#' colleague. Numbers are written with as many digits as bring the same bits back.
+#' colleague. Numbers are written with as many digits as bring the same bits back; an R without
+#' `capabilities("long.double")` may read a neighbour of some.
 #'
 #' What no call with numbers makes has no such code: bodies from meshes, densities and tensors, some
 #' sums of torques, and R functions. [write_scene()] keeps all but the last.

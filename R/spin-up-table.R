@@ -33,7 +33,7 @@ spin_up_parameters <- list(
 #'   beyond knots are in play, `max_omega_time_s` is NaN; with terms beyond knots, the extremes too.
 #' @section Warnings: `rotdyn_warning_range` names the rows that leave the range of double
 #'   precision; they are NaN.
-#' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_missing` (no inertia),
+#' @section Errors: `rotdyn_error_type` (also for a column that is missing), `rotdyn_error_size`,
 #'   `rotdyn_error_value` with the row, `rotdyn_error_time`; `rotdyn_error_model` for a law that no
 #'   closed form takes.
 #' @source As for [trajectory()]: see [models()].
@@ -103,15 +103,10 @@ empty_spin_ups <- function() {
 spin_up_inputs <- function(parameters, time_s, call) {
   n <- nrow(parameters)
   if (is.null(parameters[["moment_of_inertia_kg_m2"]])) {
-    abort_rotdyn(c(
-      "{.arg parameters} must have a column {.field moment_of_inertia_kg_m2}.",
-      x = if (length(parameters)) {
-        "Its columns are {.field {names(parameters)}}."
-      } else {
-        "It has no columns."
-      },
-      i = "{.fn inertia_table} computes it for the standard shapes."
-    ), "missing", call)
+    abort_missing_column(
+      "moment_of_inertia_kg_m2", parameters, call,
+      "{.fn inertia_table} computes it for the standard shapes."
+    )
   }
   columns <- lapply(names(spin_up_parameters), function(name) {
     unit <- spin_up_parameters[[name]][[1]]

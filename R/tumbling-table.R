@@ -15,7 +15,8 @@
 #'   `error` is a bound on the angle of the attitude's error, in rad; within it the row is that of
 #'   [trajectory()], whose last bits may differ. A row with NA has NA in these,
 #'   and so has one without a motion: a negative or infinite number, a spin about an axis without
-#'   moment of inertia.
+#'   moment of inertia, moments in a ratio of 1e100 or more. Moments that no body has (one exceeds
+#'   the sum of the others) are computed like others: [check_inertia()] finds them.
 #' @section Errors: `rotdyn_error_type` (also for a column that is missing), `rotdyn_error_size`,
 #'   `rotdyn_error_value`, `rotdyn_error_unit`, `rotdyn_error_missing`, `rotdyn_error_argument`.
 #' @source As for [scene_free()].

@@ -160,7 +160,7 @@ test_that("what cannot be fitted is said before", {
   expect_error(fit_scene(bowling(0.2, 7), list(), "v0_m_per_s"), "must be a data frame",
                class = "rotdyn_error_type")
   expect_error(fit_scene(bowling(0.2, 7), film["x_m"], "v0_m_per_s"),
-               class = "rotdyn_error_missing")
+               class = "rotdyn_error_type")
   words <- transform(film, x_m = as.character(x_m))
   expect_error(fit_scene(bowling(0.2, 7), words, "v0_m_per_s"), class = "rotdyn_error_type")
   expect_error(as_scene(fit("v0_m_per_s"), record = 2), class = "rotdyn_error_value")

@@ -86,7 +86,7 @@ test_that("bad rows are named", {
   expect_error(incline_table(), class = "rotdyn_error_missing")
   expect_error(incline_table(3), class = "rotdyn_error_type")
   expect_error(incline_table(lanes()), "time_s", class = "rotdyn_error_missing")
-  expect_error(incline_table(lanes()[-1], 1), "beta", class = "rotdyn_error_missing")
+  expect_error(incline_table(lanes()[-1], 1), "beta", class = "rotdyn_error_type")
   expect_error(bad(beta = c(1, 0, 1)), "row 2", class = "rotdyn_error_value")
   expect_error(bad(beta = c(1, Inf, 1)), "row 2", class = "rotdyn_error_value")
   expect_error(bad(incline_angle_deg = c(1, 2, 95)), "row 3", class = "rotdyn_error_value")

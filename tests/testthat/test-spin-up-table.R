@@ -104,7 +104,7 @@ test_that("wrong rows and laws are refused with the row", {
   expect_error(bad(coulomb_n_m = -1), class = "rotdyn_error_value")
   expect_error(bad(coulomb_n_m = 1, static_n_m = 0.5), class = "rotdyn_error_value")
   expect_error(bad(viscous_n_m_s = "a"), class = "rotdyn_error_type")
-  expect_error(spin_up_table(designs["name"], 1, 8), class = "rotdyn_error_missing")
+  expect_error(spin_up_table(designs["name"], 1, 8), class = "rotdyn_error_type")
   expect_error(spin_up_table(designs, 1), class = "rotdyn_error_missing")
   expect_error(spin_up_table(designs, 1, -1), class = "rotdyn_error_time")
   expect_error(spin_up_table(designs, 1, c(1, 2)), class = "rotdyn_error_size")
@@ -202,6 +202,6 @@ test_that("the extremes on the way are told where the model has them, and else l
 test_that("a table without columns is named as such", {
   expect_error(
     spin_up_table(data.frame(), torque_constant(1), time_s = 1), "It has no columns",
-    class = "rotdyn_error_missing"
+    class = "rotdyn_error_type"
   )
 })

@@ -89,3 +89,12 @@ test_that("rates over the whole range turn alike in their own time", {
     expect_identical(far$final_omega_y_rad_per_s, own$final_omega_y_rad_per_s * 2^power)
   }
 })
+
+test_that("moments that no body has are computed, up to a ratio of 1e100", {
+  rows <- data.frame(
+    ixx_kg_m2 = 1, iyy_kg_m2 = 1, izz_kg_m2 = c(2.5, 1e90, 1e100), omega_x_rad_per_s = 1,
+    omega_y_rad_per_s = 0, omega_z_rad_per_s = 0
+  )
+  # A spin about a principal axis stays.
+  expect_equal(tumbling_table(rows, 1)$final_omega_x_rad_per_s, c(1, 1, NA))
+})
