@@ -142,12 +142,12 @@ print.rot_animation <- function(x, ...) {
   film <- x$film
   ends <- format_si(signif(film$time_s[c(1, length(film$time_s))], 4))
   speed <- speed_words(film$slow)
-  cat("<rot_animation> ", escape_controls(film$title), "\n", sep = "")
-  cat(
+  say("<rot_animation> ", escape_controls(film$title), "\n")
+  say(
     "  ", length(film$time_s), " frames from ", ends[1], " to ", ends[2], " s",
     if (nzchar(speed)) paste0(", ", speed), "\n", sep = ""
   )
-  cat("  A file of it: animate_motion(motion, \"motion.html\"), .gif, .mp4 or .webm.\n")
+  say("  A file of it: animate_motion(motion, \"motion.html\"), .gif, .mp4 or .webm.\n")
   if (interactive()) show_page(format(x), current_env())
   invisible(x)
 }

@@ -33,6 +33,8 @@
 #'   `r describe_columns(audit_columns)`
 #'   `terms` holds, for each balance, a tibble with the columns
 #'   `r describe_columns(c("term", "role", "value"))`
+#'   In a file (`write.csv()`) and by `as.character()` they are text, such as
+#'   `supplied: work 2 | dissipated: viscous heat 0.5 | change: kinetic energy 1.5`.
 #'   The verdict is NA where a balance cannot be drawn: no rows, rotors missing from them, energies
 #'   beyond double precision, or a motion whose error is not known.
 #' @section Errors: `rotdyn_error_type` for what has no audit (a table that lost its columns is no
@@ -120,7 +122,7 @@ new_audit <- function(balances) {
   }
   columns <- lapply(audit_columns, column)
   names(columns) <- audit_columns
-  columns$terms <- lapply(balances, `[[`, "terms")
+  columns$terms <- new_terms(lapply(balances, `[[`, "terms"))
   new_table(columns, nrow = length(balances), class = "rot_audit")
 }
 
@@ -151,6 +153,26 @@ no_balance <- function(name, about, unit) {
   balance(name, about, unit, NA_real_, NA_real_, NA_real_, NA_real_)
 }
 
+# The terms of several balances, a tibble each: a list that writes itself as text.
+new_terms <- function(x) structure(x, class = c("rot_terms", "list"))
+
+#' @export
+`[.rot_terms` <- function(x, i) new_terms(unclass(x)[i])
+
+#' @export
+c.rot_terms <- function(...) new_terms(unlist(lapply(list(...), unclass), recursive = FALSE))
+
+# Without separators of files: write.csv() puts no quotes round it.
+#' @export
+as.character.rot_terms <- function(x, ...) {
+  vapply(unclass(x), function(terms) {
+    if (is.null(terms)) return(NA_character_)
+    said <- paste(terms$term, .Call(ffi_text_numbers, as.double(terms$value)))
+    said <- tapply(said, factor(terms$role, unique(terms$role)), paste, collapse = " + ")
+    gsub("[,;]", "", paste0(names(said), ": ", said, collapse = " | "))
+  }, "")
+}
+
 #' @export
 print.rot_audit <- function(x, ..., digits = 4) {
   call <- current_env()
@@ -159,14 +181,18 @@ print.rot_audit <- function(x, ..., digits = 4) {
     print(drop_class(x, "rot_audit"), ...)
     return(invisible(x))
   }
+  wide <- as.integer(digits) + 8L
   line <- function(text, value, unit) {
-    cat(sprintf("  %-38s %*s %s\n", text, as.integer(digits) + 8L,
-                format(value, digits = digits), unit))
+    room <- print_width() - wide - nchar(unit) - 4L
+    text <- if (nchar(text) <= room) text else strwrap(text, max(room, 16L), 0L, 4L)
+    last <- sprintf("  %-*s %*s %s", max(min(38L, room), 0L), text[length(text)], wide,
+                    format(value, digits = digits), unit)
+    cat(c(sprintf("  %s", text[-length(text)]), last), sep = "\n")
   }
   verdict <- if (all(x$verdict %in% "balanced")) "balanced" else
-    if ("unbalanced" %in% x$verdict) "unbalanced" else NA
+    if ("unbalanced" %in% x$verdict) "unbalanced" else "no verdict"
   if (!nrow(x)) {
-    cat("<rot_audit> nothing to balance: the scene does not name what is conserved\n")
+    say("<rot_audit> nothing to balance: the scene does not name what is conserved")
     return(invisible(x))
   }
   cat("<rot_audit> ", verdict, "\n", sep = "")
@@ -174,8 +200,12 @@ print.rot_audit <- function(x, ..., digits = 4) {
     unit <- x$unit[i]
     about <- if (!is.na(x$about[i])) paste(" about", x$about[i])
     kept <- if (isTRUE(x$conserved[i])) ": conserved"
-    cat(gsub("_", " ", x$balance[i]), about, kept, "\n", sep = "")
+    say(gsub("_", " ", x$balance[i]), about, kept)
     terms <- x$terms[[i]]
+    if (all(is.na(terms$value))) {
+      say("  no values: rows, or energies in double precision, are missing")
+      next
+    }
     for (role in c("supplied", "dissipated", "change")) {
       part <- terms[terms$role == role, ]
       shown <- part[!part$value %in% 0, ]

@@ -495,7 +495,7 @@ print.rot_mesh_check <- function(x, ...) {
     return(NextMethod())
   }
   failed <- sum(x$verdict == "fails")
-  cat("<rot_mesh_check> ", if (failed) {
+  say("<rot_mesh_check> ", if (failed) {
     paste0("not a solid: ", failed, " condition", if (failed == 1L) " fails" else "s fail")
   } else {
     "bounds a solid"
@@ -506,13 +506,13 @@ print.rot_mesh_check <- function(x, ...) {
   text <- paste0(format_si(told$count), ": ", told$meaning)
   for (i in seq_len(nrow(told))) {
     indent <- nchar(labels[i])
-    lines <- strwrap(text[i], max(print_width() - indent, 30L), exdent = 2L)
-    cat(paste0(c(labels[i], rep(strrep(" ", indent), length(lines) - 1L)), lines), sep = "\n")
+    lines <- strwrap(text[i], max(print_width() - indent, 16L), exdent = 2L)
+    say(paste0(c(labels[i], rep(strrep(" ", indent), length(lines) - 1L)), lines), sep = "\n")
   }
   for (verdict in c("holds", "not checked")) {
     rest <- paste(x$condition[x$verdict == verdict], collapse = ", ")
     if (nzchar(rest)) {
-      cat(
+      say(
         strwrap(paste0(verdict, ": ", rest), print_width() + 1L, indent = 2L, exdent = 4L),
         sep = "\n"
       )

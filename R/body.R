@@ -103,7 +103,7 @@ describe_point <- function(body, through) {
 #' @export
 print.rot_body <- function(x, ...) {
   check_body(x, current_env(), "x")
-  cat("<rot_body> ", x$shape, "\n", sep = "")
+  say("<rot_body> ", x$shape, "\n")
   size <- if (length(x$size_m)) {
     paste0(", ", paste0(names(x$size_m), " = ", format_si(x$size_m), collapse = ", "))
   }
@@ -134,15 +134,10 @@ print.rot_body <- function(x, ...) {
 
 # A line "name  text", wrapped to the console's width under the text.
 print_field <- function(name, text) {
-  room <- max(print_width() - 12L, 30L)
+  room <- max(print_width() - 12L, 20L)
   lines <- if (nchar(text) > room) strwrap(text, room + 1L) else text
   names <- formatC(c(name, rep("", length(lines) - 1L)), width = -10)
   cat(paste0("  ", names, lines, "\n"), sep = "")
-}
-
-# The console's width, at most 98.
-print_width <- function() {
-  min(getOption("width", 80L), 98L)
 }
 
 # Values below the body's error are shown as 0.
@@ -157,7 +152,7 @@ print_inertia <- function(x) {
     print_field("inertia", paste0(moments, " kg m^2 ", about))
   } else {
     print_field("inertia", paste0("kg m^2 ", about, ":"))
-    cat(paste0(strrep(" ", 12), format_columns(inertia, digits), "\n"), sep = "")
+    say(paste0(strrep(" ", 12), format_columns(inertia, digits), "\n"), sep = "")
     moments <- clear_noise(axes$principal_moment_kg_m2, noise)
     print_field("principal", paste0(paste(format_si(moments, digits), collapse = ", "), " kg m^2"))
   }

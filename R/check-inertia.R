@@ -497,7 +497,7 @@ print.rot_inertia_check <- function(x, ...) {
   if (length(rows) > 10L) {
     left <- x[!x$row %in% rows[1:10] & x$verdict == "fails", ]
     more <- length(rows) - 10L
-    cat(
+    say(
       "... and ", more, " tensor", if (more > 1L) "s", " more, ", length(unique(left$row)),
       " of them with a condition that fails\n",
       sep = ""
@@ -514,22 +514,26 @@ print_one_check <- function(x) {
     paste0("not physical: ", failed, " of ", nrow(x), " conditions fail", if (failed == 1L) "s")
   }
   label <- if (is.na(x$object[1L])) paste("tensor", x$row[1L]) else x$object[1L]
-  cat("<rot_inertia_check> ", label, ": ", head, "\n", sep = "")
+  say("<rot_inertia_check> ", label, ": ", head, "\n")
   verdict <- ifelse(x$verdict == "fails", "FAILS", x$verdict)
   labels <- paste0("  ", format(x$condition), "  ", format(verdict), "  ")
   indent <- nchar(labels[1L])
   for (i in seq_along(labels)) {
-    words <- strwrap(x$meaning[i], width = max(print_width() - indent, 30L), exdent = 2L)
-    cat(paste0(c(labels[i], rep(strrep(" ", indent), length(words) - 1L)), words), sep = "\n")
+    if (indent > print_width() %/% 2L) {
+      say("  ", x$condition[i], "  ", verdict[i], "\n    ", x$meaning[i])
+      next
+    }
+    words <- strwrap(x$meaning[i], width = print_width() - indent, exdent = 2L)
+    say(paste0(c(labels[i], rep(strrep(" ", indent), length(words) - 1L)), words), sep = "\n")
   }
   for (text in x$suggestion[!is.na(x$suggestion)]) {
-    cat(
+    say(
       strwrap(paste("suggestion:", text), width = print_width(), indent = 2L, exdent = 4L),
       sep = "\n"
     )
   }
   if (failed && all(is.na(x$suggestion))) {
-    cat("  no small change of one entry makes every condition hold\n")
+    say("  no small change of one entry makes every condition hold\n")
   }
 }
 

@@ -157,7 +157,7 @@ falling_weight_form <- list(
 print.rot_falling_weight <- function(x, ...) {
   check_form(x, falling_weight_form, "x", "falling weight", current_env())
   or <- function(value, unit) if (is.na(value)) "fitted" else paste(format_si(value), unit)
-  cat(strwrap(paste0(
+  say(strwrap(paste0(
     "<rot_falling_weight> mass ", or(x$mass_kg, "kg"), ", drum ", or(x$radius_m, "m"),
     ", gravity ", or(x$gravity_m_per_s2, "m/s^2"), ", until ", or(x$until_s, "s")
   ), print_width() + 1L, exdent = 2L), sep = "\n")

@@ -80,7 +80,7 @@ coast_pairs <- function(fit) {
 #' @export
 print.rot_coast_fit <- function(x, ...) {
   fit <- coast_fit(x, "x", current_env())
-  writeLines(coast_words(x, fit))
+  say(coast_words(x, fit), sep = "\n")
   invisible(x)
 }
 

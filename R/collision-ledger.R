@@ -289,9 +289,16 @@ print.rot_ledger <- function(x, ..., digits = 4) {
   names <- paste0(gsub("_", " ", x$balance), " (", x$unit, ")")
   names[at] <- "energy (J)"
   label <- max(nchar(c(names, paste0("  ", shown$term))))
-  line <- function(text, values) cat("  ", formatC(text, width = -label), values, "\n", sep = "")
+  heads <- c("before", "after", "outside", "lost")
+  narrow <- 2L + label + 4L * wide > print_width()
+  line <- function(text, values) {
+    if (!narrow) return(cat("  ", formatC(text, width = -label), values, "\n", sep = ""))
+    values <- trimws(values)
+    given <- which(nzchar(values))
+    if (nzchar(text)) say("  ", text, ": ", toString(paste(heads[given], values[given])))
+  }
   cat("<rot_ledger> ", ledger_verdict(x$verdict), "\n", sep = "")
-  line("", formatC(c("before", "after", "outside", "lost"), width = wide))
+  line("", formatC(heads, width = wide))
   for (i in seq_len(nrow(x))) {
     if (x$balance[i] %in% "energy") next
     line(names[i], show(c(x$before[i], x$after[i], x$supplied[i])))

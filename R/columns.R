@@ -69,7 +69,7 @@ column_list <- list(
   c("dissipated", "", "amount dissipated by the resistance, computed separately, in the same unit"),
   c("residual", "", "change - supplied + dissipated, in the same unit"),
   c("rounding", "", "the part explained by rounding and the stated error, in the same unit"),
-  c("terms", "", "the terms of the balance, a tibble"),
+  c("terms", "", "the terms of the balance, a tibble; text in a file"),
   c("term", "", "the term in words"),
   c("role", "", "\"supplied\", \"dissipated\" (by mechanism) or \"change\""),
   c("constraint", "", "constraint of the bodies: axle, ..."),

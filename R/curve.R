@@ -228,7 +228,7 @@ tbl_sum.rot_curve_motion <- function(x, ...) {
 
 #' @export
 print.rot_curve <- function(x, ...) {
-  cat("<rot_curve> ", if (is.list(x) && is.character(x$kind)) x$kind[1], "\n", sep = "")
+  say("<rot_curve> ", if (is.list(x) && is.character(x$kind)) x$kind[1], "\n")
   invisible(x)
 }
 

@@ -141,24 +141,24 @@ design_rows <- function(design, first = 1, n = 6, ...) {
 print.rot_design <- function(x, ...) {
   size <- check_design(x, "x", current_env())
   count <- function(n) format(n, big.mark = ",", scientific = FALSE)
-  cat("<rot_design> ", design_words[[x$kind]], ", ", count(size), " row", if (size != 1) "s",
+  say("<rot_design> ", design_words[[x$kind]], ", ", count(size), " row", if (size != 1) "s",
       if (x$kind == "saltelli") paste0(" of ", count(x$n), " base points"),
       if (!is.null(x$seed)) paste0(", seed ", format(x$seed, digits = 16, scientific = FALSE)),
       if (x$kind == "sobol" && is.null(x$seed)) ", not scrambled", "\n", sep = "")
   width <- max(nchar(names(x$inputs)), 10L)
   for (name in names(x$inputs)) {
-    cat("  ", escape_controls(name), strrep(" ", width - nchar(name)), "  ",
+    say("  ", escape_controls(name), strrep(" ", width - nchar(name)), "  ",
         law_words(x$inputs[[name]]), "\n", sep = "")
   }
   if (!is.null(x$correlation)) {
-    cat("  correlated: ", correlation_words(x$correlation), "\n", sep = "")
+    say("  correlated: ", correlation_words(x$correlation), "\n")
   }
   near <- 2^floor(log2(x$n))
   if (x$kind %in% c("sobol", "saltelli") && x$n != near) {
-    cat("  ", count(x$n), " is no power of two: ", count(near), " or ", count(2 * near),
+    say("  ", count(x$n), " is no power of two: ", count(near), " or ", count(2 * near),
         " points are spread more evenly\n", sep = "")
   }
-  cat("  any row at once: design_rows(design, first = ", format(size, scientific = FALSE), ")\n",
+  say("  any row at once: design_rows(design, first = ", format(size, scientific = FALSE), ")\n",
       sep = "")
   invisible(x)
 }

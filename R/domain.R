@@ -171,7 +171,7 @@ print.rot_domain <- function(x, ...) {
     paste0(": ", paste0(names(x$size_m), " = ", format_si(x$size_m), collapse = ", "))
   }
   how <- if (x$kind == "inside") "random points only" else "quadrature, random points"
-  cat("<rot_domain> ", x$kind, size, "\n", sep = "")
+  say("<rot_domain> ", x$kind, size, "\n")
   if (any(x$centre_m != 0)) {
     print_field("centre", paste0("(", paste(format_si(x$centre_m), collapse = ", "), ") m"))
   }

@@ -109,14 +109,14 @@ planned_numbers <- function(x, arg, call, positive = FALSE) {
 
 #' @export
 print.rot_planned_record <- function(x, ...) {
-  cat("<rot_planned_record> ", length(x$time_s), " times, ", format(x$time_s[1]), " to ",
+  say("<rot_planned_record> ", length(x$time_s), " times, ", format(x$time_s[1]), " to ",
       format(x$time_s[length(x$time_s)]), " s, of ", paste(x$observed, collapse = ", "), "\n",
       sep = "")
   if (length(x$inputs)) {
-    cat(paste0("  ", names(x$inputs), " = ", format_each(x$inputs)), sep = "\n")
+    say(paste0("  ", names(x$inputs), " = ", format_each(x$inputs)), sep = "\n")
   }
   if (length(x$noise)) {
-    cat(paste0("  noise of ", names(x$noise), ": ", format_each(x$noise)), sep = "\n")
+    say(paste0("  noise of ", names(x$noise), ": ", format_each(x$noise)), sep = "\n")
   }
   invisible(x)
 }

@@ -155,7 +155,7 @@ print.rot_fit <- function(x, ...) {
   if (is.null(fit) || !whole) return(NextMethod())
   about <- fit$about
   numbers <- fit$found$numbers
-  cat("<rot_fit> ", setdiff(names(about$node), "scene_format")[1], ", ",
+  say("<rot_fit> ", setdiff(names(about$node), "scene_format")[1], ", ",
       format(numbers[4], big.mark = ","), " samples of ",
       paste(unique(unlist(lapply(about$records, function(r) names(r$series)))), collapse = ", "),
       if (length(about$records) > 1L) paste0(", ", length(about$records), " records"), "\n",
@@ -177,10 +177,10 @@ print.rot_fit <- function(x, ...) {
   status <- ifelse(x$status == "determined", "", x$status)
   lines <- paste0("  ", format(name), "  ", format(value), "  ", format(unit), "  ",
                   format(interval), "  ", status)
-  cat(sub(" +$", "", lines), sep = "\n")
-  for (words in free_words(fit)) cat("  not determined: ", words, "\n", sep = "")
+  say(sub(" +$", "", lines), sep = "\n")
+  for (words in free_words(fit)) say("  not determined: ", words, "\n")
   noise <- noise_table(fit)
-  cat(paste0(
+  say(paste0(
     "  noise of ", noise$column, ": ", format_each(signif(noise$sigma, 3)),
     ifelse(noise$unit == "1", "", paste0(" ", noise$unit)),
     ifelse(noise$tau_s > 0, paste0(
@@ -196,15 +196,15 @@ print.rot_fit <- function(x, ...) {
   if (nrow(told)) {
     where <- if (length(about$records) > 1L) paste0(" of record ", told$record) else ""
     what <- ifelse(told$test == "wrong law", "law: ", "outliers: ")
-    cat(paste0("  ", what, told$column, where, " ", told$finding), sep = "\n")
+    say(paste0("  ", what, told$column, where, " ", told$finding), sep = "\n")
   }
-  if (any(told$test == "wrong law")) cat("  intervals of a law that does not fit may not hold\n")
+  if (any(told$test == "wrong law")) say("  intervals of a law that does not fit may not hold\n")
   if (length(fit$found$others)) {
     worse <- sum(fit$found$others > misfit_of(fit$found) + 0.5)
-    cat("  ", length(fit$found$others), " further starts, ", worse,
+    say("  ", length(fit$found$others), " further starts, ", worse,
         " end in other minima that fit worse\n", sep = "")
   }
-  cat("  ", round(100 * about$level), " % intervals, condition ", format(numbers[3], digits = 2),
+  say("  ", round(100 * about$level), " % intervals, condition ", format(numbers[3], digits = 2),
       ", ", numbers[5], " steps, model ", fit$found$model, "\n", sep = "")
   invisible(x)
 }

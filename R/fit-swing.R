@@ -494,7 +494,7 @@ print.rot_swing_fit <- function(x, ...) {
   check_swing_fit(x, "x", current_env())
   used <- sum(x$swings$used)
   shown <- x$swings$amplitude_rad[if (used) x$swings$used else TRUE]
-  cat(
+  say(
     "<rot_swing_fit> ", if (x$restoring == "gravity") "a pendulum" else "an oscillator", ", ",
     used, " free swings of ", nrow(x$swings), ", amplitudes ",
     paste(format_si(range(shown), 3), collapse = " to "),

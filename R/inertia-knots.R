@@ -62,6 +62,6 @@ describe_inertia_knots <- function(x) {
 #' @export
 print.rot_inertia_knots <- function(x, ...) {
   check_form(x, inertia_knots_form, "x", "change of inertia", current_env())
-  cat("<rot_inertia_knots> ", describe_inertia_knots(x), "\n", sep = "")
+  say("<rot_inertia_knots> ", describe_inertia_knots(x), "\n")
   invisible(x)
 }

@@ -375,10 +375,10 @@ print.rot_inertia_measured <- function(x, ...) {
   check_measured(x, "x", call)
   check_form(unclass(x), inertia_measured_form, "x", "measured moment of inertia", call)
   if (!is.null(x$centre)) check_measured(x$centre, "x", call)
-  cat("I = ", format.rot_measured(x), " kg m^2\n  ", x$method, ", amplitude ",
+  say("I = ", format.rot_measured(x), " kg m^2\n  ", x$method, ", amplitude ",
     format_si(x$amplitude_rad, 3), " rad\n", sep = "")
   if (!is.null(x$centre)) {
-    cat("about the centre of mass ", format.rot_measured(x$centre), " kg m^2\n", if (
+    say("about the centre of mass ", format.rot_measured(x$centre), " kg m^2\n", if (
       is.finite(x$amplification)) {
       paste0("  relative uncertainty ", format(x$amplification, digits = 2), " times that of I\n")
     }, sep = "")
@@ -389,8 +389,8 @@ print.rot_inertia_measured <- function(x, ...) {
       "  ", format(rows$input), "  ", format(paste(round(100 * rows$share, 1), "%"),
         justify = "right"), " of the variance"
     )
-    cat(lines, sep = "\n")
+    say(lines, sep = "\n")
   }
-  for (note in x$notes) cat("  ", note, "\n", sep = "")
+  for (note in x$notes) say("  ", note, "\n")
   invisible(x)
 }

@@ -185,7 +185,7 @@ print.rot_inertia_tensor <- function(x, ...) {
   if (nchar(head) > print_width()) {
     head <- c(strwrap(where, print_width() + 1L, exdent = 2L), paste0("  ", signs))
   }
-  cat(head, sep = "\n")
+  say(head, sep = "\n")
   # Rotations leave rounding errors in place of zeros.
   print(clear_noise(as.matrix(x), 8 * .Machine$double.eps * max(abs(x))), ...)
   invisible(x)

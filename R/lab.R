@@ -218,10 +218,10 @@ print.rot_lab <- function(x, ...) {
     "a scene with its inputs"
   }
   title <- if (is.null(state$title)) "" else paste0(" ", escape_controls(state$title))
-  cat("<rot_lab>", title, "\n", sep = "")
-  cat("  ", what, if (!is.null(state$end)) paste0(", up to ", format_si(state$end), " s"), "\n",
+  say("<rot_lab>", title, "\n")
+  say("  ", what, if (!is.null(state$end)) paste0(", up to ", format_si(state$end), " s"), "\n",
       sep = "")
-  cat("  A file of it: lab(scene, \"lab.html\").\n")
+  say("  A file of it: lab(scene, \"lab.html\").\n")
   if (interactive()) show_page(format(x), current_env())
   invisible(x)
 }

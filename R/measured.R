@@ -219,7 +219,7 @@ format.rot_measured <- function(x, digits = 2, ...) {
 #' @export
 print.rot_measured <- function(x, ...) {
   check_measured(x, "x", current_env())
-  cat(x$name, " = ", format(x), if (is.finite(x$dof) && x$u > 0) {
+  say(x$name, " = ", format(x), if (is.finite(x$dof) && x$u > 0) {
     paste0("  (", format(x$dof, digits = 3), " degrees of freedom)")
   }, "\n", sep = "")
   invisible(x)

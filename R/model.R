@@ -204,25 +204,25 @@ print.rot_model_choice <- function(x, ...) {
   error <- paste(ifelse(x$error_kind == "bound", "error at most", "error about"),
                  format_si(x$error, 2))
   cost <- format_seconds(x$cost_s)
-  cat("<rot_model_choice> ", x$model[chosen], "\n", sep = "")
+  say("<rot_model_choice> ", x$model[chosen], "\n")
   print_field("why", x$reason[chosen])
   print_field("error", sub("error ", "", error[chosen]))
   print_field("cost", paste(cost[chosen], "predicted, the least of those that apply"))
   if (length(others)) {
-    cat("also apply:\n")
+    say("also apply:\n")
     names <- format(x$model[others])
     reason <- ifelse(grepl(" is cheaper$", x$reason[others]), "", paste0("  ", x$reason[others]))
     line <- paste0(
       "  ", names, "  ", format(paste0(error[others], ",")), " cost ", format(cost[others]), reason
     )
-    cat(strwrap_each(line, nchar(names[1]) + 4L), sep = "\n")
+    say(strwrap_each(line, nchar(names[1]) + 4L), sep = "\n")
   }
   if (length(rest)) {
-    cat("do not apply:\n")
+    say("do not apply:\n")
     names <- format(x$model[rest])
-    cat(strwrap_each(paste0("  ", names, "  ", x$reason[rest]), nchar(names[1]) + 4L), sep = "\n")
+    say(strwrap_each(paste0("  ", names, "  ", x$reason[rest]), nchar(names[1]) + 4L), sep = "\n")
   }
-  if (length(named)) cat("by name alone: ", paste(x$model[named], collapse = ", "), "\n", sep = "")
+  if (length(named)) say("by name alone: ", paste(x$model[named], collapse = ", "), "\n", sep = "")
   invisible(x)
 }
 

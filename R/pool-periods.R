@@ -157,7 +157,7 @@ check_pooled_periods <- function(x, arg, call) {
 print.rot_pooled_periods <- function(x, ...) {
   check_pooled_periods(x, "x", current_env())
   g <- x$groups
-  cat("period ", format(x$period_s), " s from ", sum(g$status == "used"), " of ", nrow(g),
+  say("period ", format(x$period_s), " s from ", sum(g$status == "used"), " of ", nrow(g),
     " groups\n", sep = "")
   print_field("between", paste0(
     format_si(x$between_s, 2), " s between groups, in the error of each; Birge ratio ",
@@ -292,7 +292,7 @@ pivots_least_squares <- function(period, d, tu, du, g, used) {
 #' @rdname pool_periods
 #' @export
 print.rot_pivots <- function(x, ...) {
-  cat("k^2 = ", format(x$gyration_square_m2), " m^2, g = ", format(x$gravity_m_per_s2),
+  say("k^2 = ", format(x$gyration_square_m2), " m^2, g = ", format(x$gravity_m_per_s2),
     " m/s^2\n", sep = "")
   for (k in which(x$pivots$status == "outlier")) {
     print_field("left out", paste0(

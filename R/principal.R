@@ -137,7 +137,7 @@ print.rot_principal_axes <- function(x, ...) {
   # Unless rows or columns were removed.
   if (!is.null(symmetry) && "unique" %in% names(x) && nrow(x) == 3L) {
     head <- paste("Principal axes about the centre of mass:", describe_symmetry(x))
-    cat(strwrap(head, print_width() + 1L, prefix = "# "), sep = "\n")
+    say(strwrap(head, print_width() + 1L, prefix = "# "), sep = "\n")
     # Rounding errors (of a plate, for example) are shown as 0.
     shown <- x
     second <- x$second_moment_kg_m2

@@ -201,3 +201,31 @@ noise_as_0 <- function(value, size) {
   value[!is.na(value) & is.finite(size) & abs(value) < 1e-14 * size] <- 0
   value
 }
+
+# ---- lines --------------------------------------------------------------------------------------
+
+# The console's width, at most 98.
+print_width <- function() {
+  min(getOption("width", 80L), 98L)
+}
+
+# cat() of whole lines, those wider than the console folded.
+say <- function(..., sep = "") {
+  force(list(...))
+  lines <- unlist(lapply(utils::capture.output(cat(..., sep = sep)), folded))
+  if (length(lines)) cat(lines, sep = "\n")
+}
+
+# A line as several, no wider than the console where its words allow it. They go on under the text
+# of a line "  name  text", else two columns further in.
+folded <- function(line) {
+  room <- print_width()
+  if (nchar(line, "width") <= room) return(line)
+  own <- nchar(sub("^( *).*", "\\1", line))
+  head <- regmatches(line, regexpr("^ *\\S+( \\S+)?  +(?=\\S)", line, perl = TRUE))
+  if (!length(head) || nchar(head) > room / 2) {
+    return(strwrap(line, room + 1L, indent = own, exdent = min(own + 2L, room %/% 2L)))
+  }
+  text <- strwrap(substring(line, nchar(head) + 1L), room + 1L - nchar(head))
+  paste0(c(head, rep(strrep(" ", nchar(head)), length(text) - 1L)), text)
+}

@@ -248,24 +248,24 @@ insert_sql <- function(rows, table) {
 
 #' @export
 print.rot_rerun <- function(x, ...) {
-  cat("<rot_rerun> ", x$verdict, "\n", sep = "")
-  cat("  run      ", x$run, "\n", sep = "")
-  cat("  model    ", paste(unique(x$model), collapse = " then, now "), "\n", sep = "")
-  cat("  rotdyn   ", paste(unique(x$versions), collapse = " then, now "), "\n", sep = "")
+  say("<rot_rerun> ", x$verdict, "\n")
+  say("  run      ", x$run, "\n")
+  say("  model    ", paste(unique(x$model), collapse = " then, now "), "\n", sep = "")
+  say("  rotdyn   ", paste(unique(x$versions), collapse = " then, now "), "\n", sep = "")
   worst <- x$where[1L, ]
   if (x$verdict != "identical" && length(x$not_compared)) {
-    cat("  unknown  ", paste(x$not_compared, collapse = ", "), ": no values are kept\n", sep = "")
+    say("  unknown  ", paste(x$not_compared, collapse = ", "), ": no values are kept\n", sep = "")
   }
   for (name in names(x$texts)) {
     rows <- x$texts[[name]]
-    cat(
+    say(
       "  text     ", name, " is another one in row", if (length(rows) > 1L) "s", " ",
       paste(rows[seq_len(min(6L, length(rows)))], collapse = ", "),
       if (length(rows) > 6L) paste(" and", length(rows) - 6L, "more"), "\n", sep = ""
     )
   }
   if (x$verdict != "identical" && nrow(x$where)) {
-    cat(
+    say(
       "  most     ", worst$quantity, " in row ", worst$row, ": ", format(worst$then, digits = 17),
       " then, ", format(worst$now, digits = 17), " now; allowed ",
       format(worst$allowed, digits = 2), "\n", sep = ""

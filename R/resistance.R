@@ -172,6 +172,6 @@ describe_resistance <- function(x) {
 #' @export
 print.rot_resistance <- function(x, ...) {
   check_form(x, resistance_form, "x", "resistance", current_env())
-  cat("<rot_resistance> ", describe_resistance(x), "\n", sep = "")
+  say("<rot_resistance> ", describe_resistance(x), "\n")
   invisible(x)
 }

@@ -192,7 +192,7 @@ describe_rotor <- function(x) {
 #' @export
 print.rot_rotor <- function(x, ...) {
   check_form(x, rotor_form, "x", "rotor", current_env())
-  cat("<rot_rotor> ", describe_rotor(x), "\n", sep = "")
+  say("<rot_rotor> ", describe_rotor(x), "\n")
   invisible(x)
 }
 

@@ -92,7 +92,7 @@ print.rot_scene_clutch <- function(x, ...) {
   check_scene(x, current_env())
   both <- function(values) paste(format_si(rep_len(values, 2)), collapse = ", ")
   engaged <- if (x$engage_s <= x$start_s) "engaged" else paste("engages at", x$engage_s, "s")
-  cat(
+  say(
     "<rot_scene> ", scene_title(x), "\n",
     "  inertia   ", paste(format_si(x$moment_of_inertia_kg_m2), collapse = ", "), " kg m^2\n",
     "  clutch    ", format_si(x$capacity_n_m), " N m slipping, ",

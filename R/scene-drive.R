@@ -317,14 +317,14 @@ describe_coupling <- function(x) {
 #' @export
 print.rot_coupling <- function(x, ...) {
   check_form(x, coupling_form, "x", "coupling", current_env())
-  cat("<rot_coupling> ", describe_coupling(x), "\n", sep = "")
+  say("<rot_coupling> ", describe_coupling(x), "\n")
   invisible(x)
 }
 
 #' @export
 print.rot_brake <- function(x, ...) {
   check_form(x, brake_form, "x", "brake", current_env())
-  cat("<rot_brake> ", describe_friction(x), "\n", sep = "")
+  say("<rot_brake> ", describe_friction(x), "\n")
   invisible(x)
 }
 
@@ -332,11 +332,11 @@ print.rot_brake <- function(x, ...) {
 print.rot_scene_drive <- function(x, ...) {
   check_scene(x, current_env())
   n <- length(x$moment_of_inertia_kg_m2)
-  cat("<rot_scene> ", scene_title(x), " from ", format_si(x$start_s), " s\n", sep = "")
+  say("<rot_scene> ", scene_title(x), " from ", format_si(x$start_s), " s\n")
   for (i in seq_len(min(n, 8L))) {
     torque <- x$torque[[i]]
     resistance <- x$resistance[[i]]
-    cat(
+    say(
       "  rotor ", i, "  ", format_si(x$moment_of_inertia_kg_m2[i]), " kg m^2, theta ",
       format_si(x$theta0_rad[i]), " rad, omega ", format_si(x$omega0_rad_per_s[i]), " rad/s\n",
       if (!is.null(torque) && !torque_is_zero(torque)) {
@@ -350,6 +350,6 @@ print.rot_scene_drive <- function(x, ...) {
       sep = ""
     )
   }
-  if (n > 8L) cat("  ...\n")
+  if (n > 8L) say("  ...\n")
   invisible(x)
 }

@@ -324,10 +324,10 @@ print.rot_scene_equations <- function(x, ...) {
   units <- vapply(states, unit_of_name, "")
   values <- paste0(states, " ", format_si(x$start), ifelse(units == "1", "", paste0(" ", units)))
   line <- function(what, text) {
-    if (length(text)) cat(strwrap(toString(text), initial = sprintf("  %-11s ", what),
+    if (length(text)) say(strwrap(toString(text), initial = sprintf("  %-11s ", what),
                                   prefix = strrep(" ", 14), width = print_width()), sep = "\n")
   }
-  cat("<rot_scene> ", scene_title(x), "\n", sep = "")
+  say("<rot_scene> ", scene_title(x), "\n")
   line("rates", paste0("f(", toString(names(arguments_of(x$f))), ")"))
   line("start", c(values, paste("at", format_si(x$start_s), "s")))
   line("positions", states[x$positions])

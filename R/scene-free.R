@@ -344,7 +344,7 @@ check_spin <- function(scene, inertia, call) {
 #' @export
 print.rot_scene_free <- function(x, ...) {
   check_scene(x, current_env())
-  cat("<rot_scene> ", scene_title(x), "\n", sep = "")
+  say("<rot_scene> ", scene_title(x), "\n")
   print_field("body", paste0(
     shape_of(x$body), "principal moments ", list_si(x$moment_of_inertia_kg_m2), " kg m^2"
   ))
@@ -354,7 +354,7 @@ print.rot_scene_free <- function(x, ...) {
 
 # The lines that a free body and a body with a fixed point have in common.
 print_free_start <- function(x) {
-  cat(resistance_line(x))
+  say(resistance_line(x))
   for (one in x$rotors) print_field("rotor", describe_rotor(one))
   print_field("start", paste0(
     "omega ", list_si(x$omega0_rad_per_s), " rad/s (body axes), quaternion ",

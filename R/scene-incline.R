@@ -147,11 +147,9 @@ force_function <- function(f, breaks_s = NULL, ...) {
 
 #' @export
 print.rot_force_function <- function(x, ...) {
-  cat("<rot_force_function> ", describe_force(x$f), sep = "")
-  if (length(x$breaks_s)) {
-    cat(", breaks at ", paste(format_si(x$breaks_s), collapse = ", "), " s", sep = "")
-  }
-  cat("\n")
+  say("<rot_force_function> ", describe_force(x$f), if (length(x$breaks_s)) {
+    paste0(", breaks at ", paste(format_si(x$breaks_s), collapse = ", "), " s")
+  })
   invisible(x)
 }
 
@@ -181,7 +179,7 @@ rolling_radius <- function(body, inertia, call) {
 print.rot_scene_incline <- function(x, ...) {
   check_scene(x, current_env())
   beta <- x$moment_of_inertia_kg_m2 / x$mass_kg / x$radius_m^2
-  cat(
+  say(
     "<rot_scene> ", scene_title(x), "\n",
     "  body      ", x$body$shape, ", ", format_si(x$mass_kg), " kg, radius ",
     format_si(x$radius_m), " m, I/(m r^2) ", format_si(beta), "\n",

@@ -150,7 +150,7 @@ pivot_inertia <- function(body, pivot_m, mass_kg, centre_m, call) {
 #' @export
 print.rot_scene_pivot <- function(x, ...) {
   check_scene(x, current_env())
-  cat("<rot_scene> ", scene_title(x), "\n", sep = "")
+  say("<rot_scene> ", scene_title(x), "\n")
   print_field("body", paste0(
     shape_of(x$body), "principal moments ", list_si(x$moment_of_inertia_kg_m2),
     " kg m^2 about the point"

@@ -217,7 +217,7 @@ print.rot_scene_rotors <- function(x, ...) {
     paste0(paste(shown, collapse = ", "), if (length(values) > 6L) ", ...")
   }
   n <- length(x$moment_of_inertia_kg_m2)
-  cat(
+  say(
     "<rot_scene> ", scene_title(x), "\n",
     "  inertia    ", list_of(x$moment_of_inertia_kg_m2), " kg m^2 about the shaft\n",
     "  stiffness  ", list_of(x$stiffness_n_m_per_rad), " N m/rad between neighbours\n",

@@ -162,7 +162,7 @@ describe_moment <- function(x) paste(format_si(x$moment_of_inertia_kg_m2), "kg m
 # A scene on an axle: a title, and what stands in its lines; `more`: in front of them.
 print_axle <- function(x, title, inertia, torque = describe_torque(axle_torque(x)), more = NULL,
                        gears = NULL) {
-  cat(
+  say(
     "<rot_scene> ", title, "\n",
     more,
     "  inertia     ", inertia, "\n",

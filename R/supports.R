@@ -121,15 +121,15 @@ print.rot_support <- function(x, ...) {
   check_form(x, support_form, "x", "support", call)
   if (!support_is_whole(x)) abort_form("kind", "x", "support", call)
   point <- function(p) paste0("(", paste(format_si(p), collapse = ", "), ") m")
-  cat("<support> ", if (x$name != x$kind) c(x$name, ": "), x$kind, " at ", point(x$at_m), sep = "")
-  if (length(x$to_m)) cat(" to ", point(x$to_m), sep = "")
-  if (length(x$normal)) {
-    word <- if (x$kind == "hinge") ", axis (" else ", normal ("
-    cat(word, paste(format_si(x$normal), collapse = ", "), ")", sep = "")
-  }
-  if (x$kind == "surface") cat(", friction", format_si(x$friction))
-  if (x$assumed) cat(" (up by default, at the ground alone)")
-  cat("\n")
+  say(
+    "<support> ", if (x$name != x$kind) c(x$name, ": "), x$kind, " at ", point(x$at_m),
+    if (length(x$to_m)) c(" to ", point(x$to_m)),
+    if (length(x$normal)) {
+      c(if (x$kind == "hinge") ", axis (" else ", normal (", toString(format_si(x$normal)), ")")
+    },
+    if (x$kind == "surface") c(", friction ", format_si(x$friction)),
+    if (x$assumed) " (up by default, at the ground alone)"
+  )
   invisible(x)
 }
 

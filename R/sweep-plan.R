@@ -534,7 +534,7 @@ n_chunks <- function(plan) ceiling(plan$n / plan$chunk_rows)
 print.rot_sweep_plan <- function(x, ...) {
   count <- function(n) format(n, big.mark = ",", scientific = FALSE)
   model <- if (is.null(x$model)) "the cheapest model of each row" else x$model
-  cat("<rot_sweep_plan> ", count(x$n), " rows, ", if (is.null(x$build)) {
+  say("<rot_sweep_plan> ", count(x$n), " rows, ", if (is.null(x$build)) {
     setdiff(names(x$node), "scene_format")[1]
   } else "scenes of a function", ", ", model, "\n", sep = "")
   fields <- c(
@@ -552,8 +552,8 @@ print.rot_sweep_plan <- function(x, ...) {
                     seconds_words(x$chunk_rows * x$row_s), "): what a lost worker costs")
   )
   for (name in names(fields)[nzchar(fields)]) {
-    lines <- strwrap(fields[[name]], 68)
-    cat(sprintf("  %-8s %s\n", c(name, rep("", length(lines) - 1L)), lines), sep = "")
+    lines <- strwrap(fields[[name]], min(69L, print_width() - 10L))
+    say(sprintf("  %-8s %s\n", c(name, rep("", length(lines) - 1L)), lines))
   }
   invisible(x)
 }

@@ -113,26 +113,26 @@ print.rot_sweep_summary <- function(x, ...) {
   if (!is.null(about)) {
     count <- function(n) format(n, big.mark = ",", scientific = FALSE)
     share <- function(n) paste0(format(100 * n / about$n, digits = 2), " %")
-    cat("# ", count(about$n), " rows", if (about$kept < about$n) {
+    say("# ", count(about$n), " rows", if (about$kept < about$n) {
       paste0(", ", count(about$kept), " kept")
     }, "\n", sep = "")
     bad <- about$status[names(about$status) != "ok"]
     for (name in names(bad)) {
-      cat("# not computed (", name, "): ", count(bad[[name]]), " rows, ", share(bad[[name]]), "\n",
+      say("# not computed (", name, "): ", count(bad[[name]]), " rows, ", share(bad[[name]]), "\n",
           sep = "")
     }
     if (length(about$failed)) {
       first <- paste(whole_words(utils::head(about$failed, 5)), collapse = ", ")
-      cat("#   the first of them: row ", first, "\n", sep = "")
+      say("#   the first of them: row ", first, "\n")
     }
     if (about$above > 0) {
-      cat("# error above ", format(about$accuracy), ": ", count(about$above), " rows, ",
+      say("# error above ", format(about$accuracy), ": ", count(about$above), " rows, ",
           share(about$above), if (about$unknown > 0) {
             paste0(" (", count(about$unknown), " not known)")
           }, "\n", sep = "")
     }
     if (!is.nan(about$error)) {
-      cat("# largest error ", format(about$error, digits = 2), " (row ", count(about$error_row),
+      say("# largest error ", format(about$error, digits = 2), " (row ", count(about$error_row),
           ")\n", sep = "")
     }
   }

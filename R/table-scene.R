@@ -160,14 +160,14 @@ describe_input <- function(x) {
 print.rot_scene <- function(x, ...) {
   check_scene(x, current_env())
   constraint <- constraint_of(x)
-  cat("<rot_scene> ", scene_title(x), "\n", sep = "")
+  say("<rot_scene> ", scene_title(x), "\n")
   given <- Filter(Negate(is.null), unclass(x)[names(constraint$inputs)])
   for (name in names(given)) {
     unit <- constraint$inputs[[name]]$unit
     value <- describe_input(given[[name]])
     none <- unit %in% c("", "1") || is.list(given[[name]])
     unit <- if (none) "" else paste0(" ", plain_unit(unit))
-    cat(sprintf("  %-22s %s%s\n", name, paste(value, collapse = ", "), unit))
+    say(sprintf("  %-22s %s%s\n", name, paste(value, collapse = ", "), unit))
   }
   invisible(x)
 }

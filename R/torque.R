@@ -236,7 +236,7 @@ describe_torque <- function(torque) {
 #' @export
 print.rot_torque <- function(x, ...) {
   check_form(x, torque_form, "x", "torque law", current_env())
-  cat("<rot_torque> ", describe_torque(x), "\n", sep = "")
+  say("<rot_torque> ", describe_torque(x), "\n")
   invisible(x)
 }
 

@@ -342,7 +342,7 @@ print.rot_uncertainty_budget <- function(x, ...) {
   check_budget(x, "x", current_env())
   several <- length(x$value) > 1L
   for (j in seq_along(x$value)) {
-    cat(
+    say(
       names(x$value)[j], " = ", format_concise(x$value[[j]], x$u[[j]]),
       if (is.finite(x$dof[[j]])) {
         paste0(", ", format(x$dof[[j]], digits = 3), " degrees of freedom")
@@ -361,19 +361,19 @@ print.rot_uncertainty_budget <- function(x, ...) {
         share = paste(round(100 * rows$share, 1), "%")
       )
       lines <- apply(rbind(colnames(shown), shown), 2, format, justify = "right")
-      cat(paste0("  ", apply(lines, 1, paste, collapse = "  "), "\n"), sep = "")
+      say(paste0("  ", apply(lines, 1, paste, collapse = "  "), "\n"), sep = "")
     }
   }
   if (several) {
     r <- x$correlation
     pairs <- which(upper.tri(r), arr.ind = TRUE)
-    cat("correlations: ", paste0(
+    say("correlations: ", paste0(
       rownames(r)[pairs[, 1]], " ", colnames(r)[pairs[, 2]], " ", format(r[pairs], digits = 3),
       collapse = ", "
     ), "\n", sep = "")
   }
   if (!is.null(x$draws)) {
-    cat("draws: u = ", paste(format_si(x$draws$u, 4), collapse = ", "), if (all(x$draws$agrees)) {
+    say("draws: u = ", paste(format_si(x$draws$u, 4), collapse = ", "), if (all(x$draws$agrees)) {
       " (agrees)"
     } else {
       " (differs: the function is curved within the uncertainties)"

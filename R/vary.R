@@ -178,7 +178,7 @@ format.rot_vary <- function(x, ...) {
 #' @export
 print.rot_vary <- function(x, ...) {
   check_vary(x, "x", current_env())
-  cat("<rot_vary> ", law_words(x), "\n", sep = "")
+  say("<rot_vary> ", law_words(x), "\n")
   invisible(x)
 }
 

@@ -278,3 +278,30 @@ test_that("an audit prints one digit where one is asked for, and none is refused
   expect_error(print(a, digits = 0), class = "rotdyn_error_value")
   expect_error(print(a, digits = 23), class = "rotdyn_error_value")
 })
+
+test_that("an audit is written as a table, its terms as text", {
+  a <- audit(spin_up(time_s = 0:3))
+  file <- tempfile(fileext = ".csv")
+  on.exit(unlink(file))
+  write.csv(a, file, row.names = FALSE)
+  read <- read.csv(file)
+  expect_identical(names(read), names(a))
+  expect_equal(read$residual, a$residual)
+  expect_match(read$terms[2], "^supplied: impulse of the torque [0-9.]+ [|] dissipated: ")
+  # Each value reads back, zeros included.
+  values <- as.double(regmatches(read$terms[1], gregexpr("-?[0-9][0-9.e+-]*", read$terms[1]))[[1]])
+  expect_identical(values, a$terms[[1]]$value)
+  expect_s3_class(a[2, ]$terms[[1]], "tbl_df")
+  expect_identical(as.character(a[2, ]$terms), read$terms[2])
+  expect_identical(as.character(rbind(a, a)$terms), rep(read$terms, 2))
+})
+
+test_that("an audit without rows says so", {
+  empty <- audit(spin_up(time_s = 0:3)[0, ])
+  expect_identical(capture.output(print(empty)), c(
+    "<rot_audit> no verdict", "energy",
+    "  no values: rows, or energies in double precision, are missing",
+    "angular momentum about the axle",
+    "  no values: rows, or energies in double precision, are missing"
+  ))
+})

@@ -183,7 +183,8 @@ others <- function() {
     list(scene_incline(ball, 20, static_friction = 0.3), "0.3 static"),
     list(motion, "on a fixed axle"), list(audit(motion), "work of the torque +55.12 J"),
     list(choose_model(scene_axle(disk), 0:2), "axle_free"),
-    list(collision_ledger(disks_lock(1, 3, 60, 0)), "energy \\(J\\) +1800 +450"),
+    list(collision_ledger(disks_lock(1, 3, 60, 0)),
+         "energy \\(J\\)(: before)? +1800(, after)? +450"),
     list(principal_axes(box), "asymmetric"), list(check_inertia(diag(3)), "physical"),
     list(check_mesh(tetrahedron), "closed|bounds|solid"),
     list(measured(1.4, 1e-3), "1.4000\\(10\\)"),
@@ -212,7 +213,9 @@ test_that("whatever has a print says the answer in its first five lines, with un
     old <- options(width = width)
     for (one in all) {
       lines <- cli::ansi_strip(utils::capture.output(print(one[[1]])))
-      expect_match(paste(utils::head(lines, 5), collapse = "\n"), one[[2]])
+      # Lines are folded where the console is narrow.
+      said <- paste(utils::head(lines, if (width < 80L) 8L else 5L), collapse = "\n")
+      expect_match(gsub("\n +", " ", said), one[[2]])
       expect_false(any(grepl("[0-9]e-(1[7-9]|[2-9][0-9])", lines)), info = one[[2]])
       seen <- union(seen, class(one[[1]]))
     }
@@ -473,4 +476,54 @@ test_that("the lines of free and pivoted bodies and of a falling weight fit the 
     options(old)
   }
   expect_match(utils::capture.output(print(scenes[[2]])), "^ {12}0 at 0 s$", all = FALSE)
+})
+
+test_that("prints fit a narrow console", {
+  old <- options(width = 40)
+  on.exit(options(old))
+  fits <- function(x) {
+    lines <- capture.output(print(x))
+    expect_lte(max(nchar(lines, "width")), 40, label = class(x)[1])
+    lines
+  }
+  disk <- body_disk(2, 0.25)
+  wheel <- scene_axle(disk, torque_sinusoid(1.123456, 3.1234), resistance(
+    viscous_n_m_s = 0.0312345, quadratic_n_m_s2 = 0.123456, coulomb_n_m = 0.1234
+  ))
+  motion <- trajectory(wheel, 0:2)
+  pendulum <- scene_pendulum(body_rod_end(1.2345, 0.98765), theta0_rad = 2.123456)
+  spun <- rotor(c(0, 0.6, 0.8), 0.123456, omega_rad_per_s = 123.4567)
+  drive <- scene_drive(
+    list(disk, 1.23456789, 2),
+    list(coupling_shaft(123.4567, 0.1234), coupling_clutch(12.345, static_ratio = 1.2)),
+    torque = list(torque_sinusoid(1.1234, 3), NULL, NULL),
+    brake = list(NULL, NULL, brake(1.23456))
+  )
+  some <- list(
+    disk, wheel, audit(motion), audit(motion[0, ]), pendulum, drive, spun,
+    drive$couplings[[1]], drive$brake[[3]], wheel$torque, wheel$resistance,
+    inertia_knots(c(0, 1.2345678, 2), c(1.23456789, 2, 3)),
+    choose_model(drive, 0:8), principal_axes(body_box(1.23456, 1, 2, 3)),
+    scene_clutch(1.234567, 2.3456789, 3, omega0_rad_per_s = c(9.12345, 1.2345)),
+    scene_rotors(c(1.23456, 2.3456), 123.4567, damping_n_m_s = 0.1234),
+    scene_hanging_mass(disk, 1.23456, 0.123456),
+    scene_incline(body_sphere(2, 0.12345), 12.34567, static_friction = 0.123456),
+    scene_free(body_box(1.23456, 1, 2, 3), omega0_rad_per_s = c(1.234, 2.345, 3.456)),
+    scene_pivot(body_cone(1.2345, 0.12345, 0.23456), omega0_rad_per_s = c(0, 0, 123.456)),
+    force_function(function(t, x, v) -x * 1.23456789 + 0.123456789 * v * sin(t), breaks_s = 1:9),
+    support_hinge(c(1.23456, 2, 3), axis = c(0, 0, 1)), falling_weight(1.2345, 0.0123456),
+    lab(pendulum), design_sobol(100, theta0_rad = vary_uniform(1, 2.345678)),
+    check_inertia(c(1, 2, 30.12345)), measured(1.23456789, 0.0123456, dof = 12)
+  )
+  for (x in some) fits(x)
+  hit <- ball_bounce(
+    body_sphere(0.06, 0.033), vx_m_per_s = 20, vy_m_per_s = -5, omega_rad_per_s = -300,
+    restitution = 0.75, friction = 0.5
+  )
+  lines <- fits(collision_ledger(hit))
+  expect_true("    lost to restitution: lost 0.3281" %in% lines)
+  # What stands in a column goes on there.
+  expect_identical(rotdyn:::folded("  start     theta 0.123 rad, omega 0.5 rad/s at 0 s"), c(
+    "  start     theta 0.123 rad, omega 0.5", "            rad/s at 0 s"
+  ))
 })

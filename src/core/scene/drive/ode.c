@@ -118,8 +118,9 @@ static int place_of(const motion *m, size_t k) {
   return (int)(u->first + 1);
 }
 
-/* (modes before, after) => events. Changes from open to slipping, or without capacity, are no
- * events, but for a clutch whose slip changes its sign; a lossy gear resists, though it has none. */
+/* (modes before, after) => events. Changes from open to slipping are none, nor are those without
+ * capacity, unless the slip of a clutch changes its sign; a lossy gear resists, though it has
+ * none. */
 static rot_status log_changes(motion *m, double t, const signed char before[],
                               const signed char after[]) {
   rot_status status = ROT_OK;
