@@ -153,7 +153,7 @@ test_that("equal rises round alike, and the error figure knows it", {
       motion <- trajectory(scene, c(0, 2), model = model, step_s = 0.001)
       off <- abs(motion$theta_rad[2] / (2 * omega) - 1)
       expect_lte(off, glance(motion)$error)
-      expect_lte(glance(motion)$error, 2e-13)
+      expect_lte(glance(motion)$error, 4e-13)
     }
   }
 })
