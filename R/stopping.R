@@ -31,9 +31,9 @@
 #' @section Errors: `rotdyn_error_type`; `rotdyn_error_range` where the motion to the stop is beyond
 #'   double precision; `rotdyn_error_model` where the closed form does not fit
 #'   (see [choose_model()], model `axle_drag`), where a law changes in time or is a function, and
-#'   where nothing is seen to stop: a scene without dry friction, a drive that swings on or is driven
-#'   by more than all friction, or one still in motion 4^10 s
-#'   after the last change of its laws (4^30 s where at most 1000 steps lead there).
+#'   where nothing is seen to stop: a scene without dry friction, a drive that swings on or is
+#'   driven by more than all friction, or one still in motion 4^10 s after the last change of its
+#'   laws (4^30 s where at most 1000 steps lead there).
 #' @source Riccati's equation; Armstrong-Helouvry, Control of Machines with Friction (1991), chapter
 #'   2.
 #' @seealso [time_when()], [motion_events()], [resistance()].
