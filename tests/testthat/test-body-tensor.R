@@ -160,6 +160,11 @@ test_that("a tensor may come with a unit", {
   skip_if_not_installed("units")
   given <- units::set_units(c(500, 600, 700), "kg*cm^2")
   expect_equal(diag(body_tensor(2, given)$inertia_kg_m2), c(x = 0.05, y = 0.06, z = 0.07))
+  turned <- matrix(c(5, 1, 0, 1, 6, 0, 0, 0, 7), 3)
+  expect_equal(
+    body_tensor(2, units::set_units(100 * turned, "kg*cm^2"))$inertia_kg_m2,
+    body_tensor(2, turned / 100)$inertia_kg_m2
+  )
   expect_error(
     body_tensor(2, units::set_units(c(1, 1, 1), "kg*m")), class = "rotdyn_error_unit"
   )

@@ -69,6 +69,12 @@ test_that("bad tops are refused with the row", {
     mass_kg = 1, lever_arm_m = 0.1, moment_of_inertia_kg_m2 = 0.01, spin_rad_per_s = c(9, 0)
   )
   expect_error(precession_table(top), "row 2", class = "rotdyn_error_value")
+  for (name in c("moment_of_inertia_kg_m2", "transverse_moment_kg_m2", "mass_kg")) {
+    bad <- top
+    bad$transverse_moment_kg_m2 <- 2e-3
+    bad[[name]][2] <- if (name == "mass_kg") -1 else 0
+    expect_error(precession_table(bad), paste0(name, ".*row 2"), class = "rotdyn_error_value")
+  }
   expect_error(precession_table(top[-4]), class = "rotdyn_error_type")
   expect_error(precession_table(1), class = "rotdyn_error_type")
   expect_error(precession_table(top[1, ], axis_angle_deg = 181), class = "rotdyn_error_value")

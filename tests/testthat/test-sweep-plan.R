@@ -257,3 +257,16 @@ test_that("the scenes of a function are of one kind", {
   }
   expect_error(plan(), "of row 2", class = "rotdyn_error_type")
 })
+
+test_that("without a number of rows a chunk is about ten seconds of work", {
+  rows <- function(row_s, keep = "rows", n = 1e6) {
+    check_chunk_rows(NULL, list(keep = keep, row_s = row_s, block_rows = 256, n = n))
+  }
+  # 10 s / 1e-4 s = 1e5 rows, between 2^16 and 2^17: nearer to the second.
+  expect_identical(rows(1e-4), 2^17)
+  expect_identical(rows(1e-2), 2^10)
+  expect_identical(rows(1), 256)
+  expect_identical(rows(1e-9), 2^22)
+  expect_identical(rows(1e-9, "summary"), 2^26)
+  expect_identical(rows(1, n = 1e12), 2^24)
+})

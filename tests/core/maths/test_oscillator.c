@@ -125,6 +125,15 @@ static void resonance(void) {
   }
 }
 
+static void at_the_start(void) {
+  for (int i = 0; i < SCENES; i++) {
+    rot_oscillator oscillator;
+    rot_oscillator_step step;
+    step_of(&scenes[i], 0.0, &oscillator, &step);
+    ROT_CHECK(step.first == 1.0 && step.psi1 == 0.0);
+  }
+}
+
 static void out_of_range(void) {
   rot_oscillator oscillator;
   ROT_CHECK(rot_oscillator_begin(1.0, 1e150, 1.0, &oscillator) == ROT_ERANGE);
@@ -139,6 +148,7 @@ int main(void) {
   integrals();
   wave();
   resonance();
+  at_the_start();
   out_of_range();
   return rot_test_report("oscillator");
 }
