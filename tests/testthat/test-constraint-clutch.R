@@ -68,3 +68,11 @@ test_that("the summary's lock time is that of the rows", {
   expect_identical(lock(5, omega0_rad_per_s = c(3, 3)), 0)
   expect_identical(lock(0.1, omega0_rad_per_s = c(10, 0)), NA_real_)
 })
+
+test_that("a clutch that is never pressed is refused, one that always was is not", {
+  expect_error(
+    scene_clutch(1, 2, 5, engage_s = Inf), "a number, or -Inf; it is Inf",
+    class = "rotdyn_error_value"
+  )
+  expect_no_error(scene_clutch(1, 2, 5, engage_s = -Inf))
+})

@@ -114,9 +114,14 @@ rot_status rot_input_each(const rot_input inputs[], const rot_given given[], siz
 
 static rot_status check_domain(const rot_input *input, size_t at, double x, rot_refusal *refusal) {
   const int limit = (input->kinds & ROT_INPUT_LIMIT) != 0;
-  if (isnan(x) || (isinf(x) && (!limit || (x < 0.0 && input->low > x)))) {
-    return rot_refuse(refusal, at, "must be %s; it is %g", limit ? "a number, or Inf" : "finite",
-                      x);
+  if (isnan(x) || (isinf(x) && (!limit || x < input->low || x > input->high))) {
+    return rot_refuse(refusal, at, "must be %s; it is %s",
+                      !limit                   ? "finite"
+                      : input->high < INFINITY ? "a number, or -Inf"
+                                               : "a number, or Inf",
+                      isnan(x) ? "NaN"
+                      : x > 0  ? "Inf"
+                               : "-Inf");
   }
   if (x < input->low || (input->above && x == input->low)) {
     return rot_refuse_numbers(refusal, at,
