@@ -88,7 +88,10 @@ test_that("bad input is an error that names the row", {
     rolling_table(data.frame(beta = c(1, 2, -3))), class = "rotdyn_error_value"
   )
   expect_match(conditionMessage(error), "row 3")
-  expect_error(rolling_table(data.frame(beta = 1), 91), class = "rotdyn_error_value")
+  for (angle in c(91, -91)) {
+    expect_error(rolling_table(data.frame(beta = 1), angle), class = "rotdyn_error_value")
+    expect_error(rolling_acceleration(1, angle), class = "rotdyn_error_value")
+  }
   expect_error(rolling_table(height_drop_m = -1), class = "rotdyn_error_value")
   expect_error(rolling_table(gravity_m_per_s2 = -1), class = "rotdyn_error_value")
   expect_error(rolling_table(incline_angle_deg = 1:3), class = "rotdyn_error_size")

@@ -126,9 +126,34 @@ static void infinite_beta(void) {
   ROT_CHECK_REL(r.c[2][0], 0.57735026918962576, 1e-15);
 }
 
+/* More rows than are computed between two polls: all of them, or those before the stop. */
+enum { ROWS = 140000 };
+static rot_status stop_at(void *ctx, double fraction) {
+  return fraction > *(double *)ctx ? ROT_EUNWIND : ROT_OK;
+}
+
+static void many_rows(void) {
+  static double time_s[ROWS], f[5][ROWS];
+  static int finished[ROWS];
+  const double acceleration = 3.5, angular = 7.0, finish_s = 1e9;
+  for (int i = 0; i < ROWS; i++) time_s[i] = 0.5 * i;
+  const rot_race_frames out = {f[0], f[1], f[2], f[3], f[4], finished};
+  rot_info info;
+  double until = 2.0;
+  const rot_hooks hooks = {stop_at, &until};
+  ROT_CHECK(rot_race_run(1, &acceleration, &angular, &finish_s, ROWS, time_s, &out, &hooks,
+                         &info) == ROT_OK);
+  ROT_CHECK(info.rows_done == ROWS);
+  ROT_CHECK_REL(f[2][ROWS - 1], 1.75 * (ROWS - 1), 1e-15);
+  until = 0.0;
+  ROT_CHECK(rot_race_run(1, &acceleration, &angular, &finish_s, ROWS, time_s, &out, &hooks,
+                         &info) == ROT_EUNWIND);
+}
+
 int main(void) {
   book();
   as_scenes();
   infinite_beta();
+  many_rows();
   return rot_test_report("incline_race");
 }
