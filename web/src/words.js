@@ -29,7 +29,7 @@ class Words {
   translated(text) {
     const exact = this.list[`core.${text}`];
     if (exact !== undefined) return exact;
-    if (/^-?(\d[\d.]*(e[-+]?\d+)?|Inf|NaN)$/.test(text)) {
+    if (/^-?(\d[\d.]*(e[-+]?\d+)?|[Ii]nf|NaN)$/.test(text)) {
       return this.comma ? text.replace(".", ",") : text;
     }
     if (/^[a-z]\w*$/.test(text)) return text; // the name of a model or of an input
