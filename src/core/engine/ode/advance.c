@@ -20,10 +20,24 @@ static rot_status end_here(rot_ode_stepping *run, rot_status why) {
   return why;
 }
 
+enum { PROGRESS_STEPS = 10000, PROGRESS_FACTOR = 1000 };
+
+/* 1 if the rest of the budget ends far before the run does: see rot_ode_params.fades_s. */
+static int is_out_of_reach(rot_ode_stepping *run, size_t tried) {
+  const rot_ode_progress was = run->progress;
+  const double t = run->clock.t;
+  if (!(run->p->fades_s > 0.0) || run->p->n_breaks || run->reference.trace) return 0;
+  if (tried < was.tried + PROGRESS_STEPS) return 0;
+  run->progress = (rot_ode_progress){tried, t};
+  const double periods = (double)(run->budget - tried) / PROGRESS_STEPS;
+  const double left = fmin(run->p->fades_s, fabs(run->clock.end - t));
+  return left / PROGRESS_FACTOR > periods * fabs(t - was.t);
+}
+
 /* Before a step: the budget, and every so many steps the caller. */
 static rot_status may_go_on(rot_ode_stepping *run, size_t steps_per_poll, double fraction) {
   const size_t tried = run->info->steps + run->info->rejected;
-  if (tried >= run->budget) return end_here(run, ROT_EBUDGET);
+  if (tried >= run->budget || is_out_of_reach(run, tried)) return end_here(run, ROT_EBUDGET);
   return tried % steps_per_poll == 0 ? rot_poll(run->hooks, fraction) : ROT_OK;
 }
 

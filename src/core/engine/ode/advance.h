@@ -19,12 +19,19 @@ typedef struct rot_ode_errors {
   double *fraction;  /* by polynomials, in rows */
 } rot_ode_errors;
 
+/* Where a number of tried steps had led. */
+typedef struct rot_ode_progress {
+  size_t tried;
+  double t;
+} rot_ode_progress;
+
 /* Each member's struct says what it reads and what it changes of the others. */
 typedef struct rot_ode_stepping {
   const rot_ode_params *p;
   const rot_hooks *hooks;
   rot_info *info;
   size_t budget;
+  rot_ode_progress progress;
   rot_ode_clock clock;
   rot_ode_state state;
   rot_ode_stiffness stiffness;

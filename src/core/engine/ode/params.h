@@ -89,6 +89,10 @@ typedef struct rot_ode_params {
   /* Integrals are used at all rows: their errors have what rows between steps are off by. Else they
    * are used at the last row alone, a step's end, where an axle's are 1e-4 of that. */
   int integrals_between;
+  /* No loss makes the steps longer in less time; Inf: nothing damps or stops the motion; 0: not
+   * known. If the budget reaches neither this time nor the end at 1000 times the progress of 10000
+   * steps, the run fails after these. */
+  double fades_s;
   int expensive; /* rhs costs more than the arithmetic around it; it reads the state alone */
   /* What rounding grows to is followed to order 4 in the step, and counts at the rows alone; steps
    * of Radau are not looked at by probes. */

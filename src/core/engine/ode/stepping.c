@@ -250,6 +250,7 @@ static void begin(rot_ode_stepping *run, double end, int forward, int first_mode
   run->step.h = (end - p->start_s) / 100.0;
   if (p->start_s + run->step.h == p->start_s) run->step.h = end - p->start_s;
   run->limit = INFINITY;
+  run->progress = (rot_ode_progress){run->info->steps + run->info->rejected, p->start_s};
   run->reference.at = 0;
   run->rest.grace = forward ? -INFINITY : INFINITY;
   run->kinks.before = run->kinks.looked_t = NAN;

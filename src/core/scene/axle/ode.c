@@ -214,6 +214,18 @@ static void write_flows(const motion *m, size_t n, const double time_s[], const 
   rot_axle_flows_jumps(m->scene, n, time_s, rows->angular_momentum_kg_m2_per_s, flows);
 }
 
+/* => rot_ode_params.fades_s: with linear losses and no torque that itself fades */
+static double fades_s_of(const motion *m, const rot_axle_scene *scene) {
+  if (m->turns || scene->linear.torque.call || scene->quadratic_n_m_s2 != 0.0) return 0.0;
+  for (size_t i = 0; i < scene->n_terms; i++) {
+    const rot_term_kind kind = scene->terms[i].kind;
+    const int steady =
+        kind == ROT_TERM_SINUSOID || kind == ROT_TERM_SPRING || kind == ROT_TERM_GRAVITY;
+    if (!steady) return 0.0;
+  }
+  return m->reference / (fabs(scene->viscous_n_m_s) + fabs(scene->motor_n_m_s));
+}
+
 /* Builds the problem of rot_ode_run(); rows, sizes, flows. */
 rot_status rot_axle_integrate(const rot_axle_scene *scene, const rot_axle_ode_options *options,
                               size_t n, const double time_s[], const rot_axle_columns *out,
@@ -257,6 +269,7 @@ rot_status rot_axle_integrate(const rot_axle_scene *scene, const rot_axle_ode_op
                                 .noise = noise,
                                 .kinks = has_kinks(scene),
                                 .resolution = rot_ode_resolution(called, options->resolution),
+                                .fades_s = fades_s_of(&m, scene),
                                 .expensive = called,
                                 .step_s = rot_ode_is_fixed(options->method) ? options->step_s : 0.0,
                                 .positions = new_positions};

@@ -8,6 +8,7 @@
 #include "scene/drive/contact.h"
 #include "scene/drive/ledger.h"
 #include "scene/drive/mesh.h"
+#include "scene/drive/time_scales.h"
 #include "engine/ode/ode.h"
 #include "ground/real.h"
 #include "ground/search.h"
@@ -483,6 +484,20 @@ static size_t list_events(const motion *m, rot_ode_event event[]) {
   return n;
 }
 
+/* => rot_ode_params.fades_s: without friction that may hold, with linear losses */
+static double fades_s_of(const motion *m) {
+  const rot_drive_scene *scene = m->s.scene;
+  int unknown = m->s.n_contacts || m->s.n_slips || has_kinks(scene) || calls_law(scene);
+  for (size_t i = 0; i < scene->n; i++) {
+    const rot_axle_scene *rotor = &scene->rotor[i];
+    unknown |= rotor->quadratic_n_m_s2 != 0.0 || rotor->coulomb_n_m != 0.0 ||
+               rotor->static_n_m != 0.0 || scene->brake[i].acts;
+  }
+  rot_time_scales time_scales;
+  rot_drive_time_scales_of_start(scene, &time_scales);
+  return unknown ? 0.0 : time_scales.fades_s;
+}
+
 /* (options, times) => rows, ledger, errors by rot_ode_run(). */
 static rot_status run(motion *m, const rot_drive_ode_options *options, size_t n,
                       const double time_s[], double y[], const rot_drive_columns *out,
@@ -527,6 +542,7 @@ static rot_status run(motion *m, const rot_drive_ode_options *options, size_t n,
         .integrals_between = 1,
         .resolution = rot_ode_resolution(calls_law(s->scene), options->resolution),
         .kinks = has_kinks(s->scene),
+        .fades_s = fades_s_of(m),
         .step_s = rot_ode_is_fixed(options->method) ? options->step_s : 0.0,
         .positions = new_positions};
     status = rot_ode_run(&ode, n, time_s, y, NULL, error, error + m->dim, hooks, info);

@@ -264,6 +264,9 @@ static rot_status run_at(motion *m, const rot_free_ode_options *options, double 
       .project = renormalise,
       .noise = off > 0.0 ? noise : NULL,
       .integrals_between = 1,
+      .fades_s = p->law || p->motors      ? 0.0
+                 : p->damping_per_s > 0.0 ? 1.0 / p->damping_per_s
+                                          : INFINITY,
       .resolution = rot_ode_resolution(p->law || p->motors, options->resolution)};
   memset(out->error, 0, sizeof out->error);
   memset(out->largest, 0, sizeof out->largest);
@@ -340,22 +343,6 @@ static void swap(run *a, run *b) {
   *b = one;
 }
 
-/* => lower limit of the angle turned up to the last row, in rad; 0 where a law, damping or rotors
- * may stop the body. */
-static double min_angle(const motion *m, size_t n, const double time_s[]) {
-  const rot_free_params *p = m->p;
-  const double *moment = p->moment_kg_m2;
-  if (!n || p->law || p->n_knots || p->n_rotors || p->damping_per_s != 0.0) return 0.0;
-  const double span = fmax(fabs(time_s[0] - p->start_s), fabs(time_s[n - 1] - p->start_s));
-  const double left =
-      rot_length(m->rotors.momentum0) - span * (rot_length(p->torque) + rot_length(p->lever_n_m));
-  const double min = fmax(left, 0.0) / fmax(moment[0], fmax(moment[1], moment[2])) * span;
-  return min > 0.0 ? min : 0.0;
-}
-
-/* No step covers this angle at any accuracy, rad. */
-#define MAX_STEP_RAD 30.0
-
 /* A run and a finer one, which replaces it while the error is too large. 1/100 of the accuracy
  * needs 1.7 times the steps. If breaks and rows determine the steps, the finer run needs fewer
  * additional steps, or both runs are equal. */
@@ -363,10 +350,6 @@ static rot_status run_twice(motion *m, const rot_free_ode_options *options, size
                             const double time_s[], const rot_hooks *hooks, run *result,
                             run *finer) {
   double accuracy = options->accuracy;
-  if (min_angle(m, n, time_s) > MAX_STEP_RAD * (double)options->max_steps) {
-    result->info.time_s = m->p->start_s;
-    return ROT_EBUDGET;
-  }
   rot_status status = run_at(m, options, accuracy, n, time_s, hooks, result);
   size_t calls = result->info.rhs_calls;
   while (status == ROT_OK && n && accuracy > 0.02 * ROT_ODE_BEST_ACCURACY) {

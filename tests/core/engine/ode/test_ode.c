@@ -681,6 +681,30 @@ static void check_budget(void) {
   ROT_CHECK(result.info.time_s == 0.0);
 }
 
+/* An end that the budget cannot reach: a lossless run ends early, its rows good; with losses in
+ * reach, or an end, the budget counts. */
+static void check_out_of_reach(void) {
+  const double t[] = {-1.0, 1.0, 1e80}, start[] = {1.0, 0.0};
+  probe seen_by = quiet(2.0);
+  rot_ode_params p = problem(2, oscillator, &seen_by, start, 1e-8);
+  p.max_steps = 400000;
+  p.fades_s = INFINITY;
+  run(&p, 3, t, NULL);
+  ROT_CHECK_EQ_INT(result.status, ROT_EBUDGET);
+  ROT_CHECK_EQ_INT(result.info.rows_done, 2);
+  for (size_t i = 0; i < 2; i++) ROT_CHECK(fabs(result.y[2 * i] - cos(2.0)) <= 1e-8);
+  const long few = seen_by.calls;
+  p.fades_s = 1e5;
+  run(&p, 3, t, NULL);
+  ROT_CHECK_EQ_INT(result.status, ROT_EBUDGET);
+  ROT_CHECK(seen_by.calls - few > 10 * few);
+  const double near[] = {2e4};
+  p.fades_s = INFINITY;
+  run(&p, 1, near, NULL);
+  ROT_CHECK_EQ_INT(result.status, ROT_OK);
+  ROT_CHECK(result.info.steps > 10000);
+}
+
 /* Enough for the coarse run, not for the fine one: only what both reached is given. */
 static void check_budget_of_fine_run(void) {
   const double t[] = {1.5, 5.0, 7.7, 10.0}, start[] = {1.0, 0.0};
@@ -833,6 +857,7 @@ int main(void) {
   check_nan_backward();
   check_explosion();
   check_budget();
+  check_out_of_reach();
   check_budget_of_fine_run();
   check_stop_by_rhs();
   check_stop_by_poll();
