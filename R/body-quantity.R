@@ -59,7 +59,12 @@ columns_of_bodies <- function(bodies, columns, arg, call, radius_m = NULL) {
       i = "Such as {.code body_disk(2, 0.1)}."
     ), "type", call)
   }
-  for (body in bodies) check_body(body, call, arg)
+  for (body in bodies) {
+    check_body(body, call, arg)
+    if ("radius_m" %in% columns && is.null(radius_m) && body$mass_kg > 0) {
+      one_inertia(body, arg, call)
+    }
+  }
   read <- function(column) {
     vapply(bodies, quantity_of, double(1), column, body_units[[column]], call, USE.NAMES = FALSE)
   }

@@ -52,7 +52,8 @@ clutch_engagement <- function(body_1, body_2, capacity_n_m, omega_1_rad_per_s,
   }
   check_not_negative(columns$capacity_n_m, "capacity_n_m", "N*m", call)
   values <- do.call(.Call, c(list(ffi_clutch_engagement), unname(columns)))
-  locks <- list(lock_time_s = ifelse(is.finite(values$lock_time_s), 1, Inf)) # else it has no heat
+  # Without a common speed it never locks, and has no heat.
+  locks <- list(locks = ifelse(is.na(values$common_omega_rad_per_s), Inf, 1))
   columns$capacity_n_m <- 1 # may be infinite
   warn_beyond(values, c(columns, locks), n, call)
   new_table(lapply(values, rep_len, n), nrow = n)

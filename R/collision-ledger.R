@@ -8,7 +8,7 @@
 # Each has one row, or one for each collision. What changes rows leaves a plain tibble.
 new_collision <- function(columns, n, parties, outside, about, call, normal = NULL,
                           contact = NULL) {
-  warn_beyond(columns, list(), n, call)
+  warn_beyond(lapply(columns, nan_as_inf), list(), n, call)
   new_table(
     columns, nrow = n, class = "rot_collision",
     collision = list(

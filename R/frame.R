@@ -70,7 +70,7 @@ earth_projectile <- function(time_s, latitude_deg, east_m_per_s = 0, north_m_per
   ), call)
   out <- .Call(ffi_frame_projectile, unname(columns))
   n <- length(out[[1]])
-  warn_beyond(out, columns, n, call)
+  warn_beyond(lapply(out, nan_as_inf), columns, n, call)
   new_table(c(lapply(columns[1:2], rep_len, n), out), nrow = n)
 }
 

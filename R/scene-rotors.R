@@ -139,7 +139,8 @@ check_inertias <- function(bodies, arg, call) {
       "{.arg {body}} must have a moment of inertia about the axle, finite and greater than 0.",
       x = "It is {format(inertia[bad[1]])} kg m^2.",
       i = if (inertia[bad[1]] %in% 0 && !is.numeric(bodies)) {
-        "All its mass is on the axle: give it a radius, or a place by {.fn place_body}."
+        "Its mass is on the axle, or too near for double precision: give it a larger radius, or a
+         place by {.fn place_body}."
       }
     ), "value", call)
   }

@@ -207,3 +207,56 @@ test_that("closed forms say which numbers are beyond double precision", {
   expect_silent(ball_on_turntable(body_sphere(1, 0.1), 1, 0, 1))
   expect_silent(spool_pull(body_disk(1, 0.1), 100, 80, 0.05))
 })
+
+test_that("a motion that no budget can finish is refused at once", {
+  refused <- function(scene, time_s = 0:1) {
+    took <- system.time(
+      expect_error(trajectory(scene, time_s), "turns", class = "rotdyn_error_budget")
+    )
+    expect_lt(took[["user.self"]], 2)
+  }
+  refused(scene_hoop(1, 1e-160, 2, theta0_rad = 1))
+  refused(scene_hoop(1, 1, 2, theta0_rad = 1, gravity_m_per_s2 = 1e300))
+  refused(scene_hoop(1, 1, 1e80, theta0_rad = 1))
+  refused(scene_hoop(1, 1, 2, theta0_rad = 1), c(0, 1e80))
+  refused(suppressWarnings(scene_free(c(1e-160, 1.5, 2), c(1, 1, 0.1))))
+  refused(scene_free(c(1, 1.5, 2), c(1, 1, 0.1), torque = c(1e160, 0, 0)))
+  # At rest it takes no steps, with friction it comes to rest.
+  bead <- trajectory(scene_hoop(1, 1, 2, theta0_rad = 0), c(0, 1e80))
+  expect_identical(bead$theta_rad, c(0, 0))
+  slows <- scene_hoop(1, 1, 2, theta0_rad = 1, static_friction = 0.1)
+  expect_identical(trajectory(slows, c(0, 1e80))$omega_rad_per_s[2], 0)
+})
+
+test_that("impulses and engagements are right where squares or sums are no doubles", {
+  # (1 + e) v/d = 2/1.7e308 is the change of rate; J d = I times it, J itself is none.
+  hit <- hinged_hit(body_rod_end(1, 1), 0.5, 1.7e308, 1, 2)
+  expect_equal(hit$omega_rad_per_s * 1e308, 2 / 1.7)
+  expect_equal(hit$hinge_impulse_n_s * 1e308, 0.5 * 2 / 1.7)
+  expect_equal(hit$particle_v_m_per_s, 2)
+  # A particle without inertia stays at the body at rest.
+  hit <- hinged_hit(body_rod_end(1, 1), 0.5, 1, 5e-324, 2)
+  expect_equal(hit$particle_v_m_per_s, 0)
+  expect_equal(hit$impulse_n_s, 1e-323)
+  # The clutch locks at the mean speed, after a time that is no double.
+  expect_warning(
+    locked <- clutch_engagement(1, 2, 5e-324, 4), "lock_time_s", class = "rotdyn_warning_range"
+  )
+  expect_equal(locked$common_omega_rad_per_s, 4 / 3)
+  expect_equal(locked$heat_j, 16 / 3)
+  small <- clutch_engagement(5e-324, 5e-324, 1e-310, 4)
+  expect_equal(small$common_omega_rad_per_s, 2)
+  expect_silent(slips <- clutch_engagement(1, 2, 5e-324, 0, torque_1_n_m = 1))
+  expect_identical(slips$lock_time_s, Inf)
+  expect_warning(
+    earth_projectile(1e160, 45, 1), "north_m,", class = "rotdyn_warning_range"
+  )
+  race <- suppressWarnings(
+    roll_race(list(body_disk(1, 0.1)), 20, 1, gravity_m_per_s2 = 1.7e308, frames = 3)
+  )
+  expect_identical(race$theta_rad[1], 0)
+  expect_error(
+    energy_partition(body_sphere(1, 1e-170), 1), "body.*too near for double precision",
+    class = "rotdyn_error_value"
+  )
+})

@@ -33,6 +33,16 @@ rot_hinged rot_impact_hinged(const rot_hinged_input *in) {
   rot_hinged out = {0.0, in->omega, in->particle_v, 0.0, 0.0};
   if (!(closing > 0.0)) return out;
   const double e = in->restitution, inverse = 1.0 / in->particle_mass + d * d / in->inertia;
+  if (isinf(inverse)) { /* the same with other quotients */
+    const double ratio = in->particle_mass * d / in->inertia * d, by = (1.0 + e) * closing;
+    const double turn = by / (in->inertia / in->particle_mass / d + d), change = by / (1.0 + ratio);
+    out.impulse = ratio < 1.0 ? in->particle_mass * change : turn / d * in->inertia;
+    out.omega = in->omega + turn;
+    out.particle_v = in->particle_v - change;
+    out.hinge_impulse = turn * in->mass * in->centre - out.impulse;
+    out.loss = 0.5 * (1.0 - e) * closing * out.impulse;
+    return out;
+  }
   out.impulse = (1.0 + e) * closing / inverse;
   out.omega = in->omega + out.impulse * d / in->inertia;
   out.particle_v = in->particle_v - out.impulse / in->particle_mass;

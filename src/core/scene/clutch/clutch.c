@@ -343,37 +343,47 @@ static rot_clutch_engagement never_locks(double locked_torque) {
   return (rot_clutch_engagement){never, (double)NAN, never, locked_torque};
 }
 
+/* => factor with which the sum of two such numbers neither overflows nor underflows */
+static double factor_of_sum(double a, double b) { return fmax(fabs(a), fabs(b)) < 1.0 ? 1.0 : 0.5; }
+
 /* rot_clutch_engage() for products that may overflow or underflow: exponents kept separately, sums
- * halved. */
+ * with a factor. */
 static rot_clutch_engagement engage_extended(const double inertia[2], const double fraction[2],
                                              double capacity, const double torque[2],
                                              const double omega[2]) {
-  const double half_slip = 0.5 * omega[0] - 0.5 * omega[1], size = fabs(half_slip);
-  const double half_sum = 0.5 * inertia[0] + 0.5 * inertia[1];
+  const double of_slip = factor_of_sum(omega[0], omega[1]);
+  const double of_inertia = factor_of_sum(inertia[0], inertia[1]);
+  const double slip = of_slip * omega[0] - of_slip * omega[1], size = fabs(slip);
+  const double sum = of_inertia * inertia[0] + of_inertia * inertia[1];
   const double reduced = fmin(inertia[0], inertia[1]) * fmax(fraction[0], fraction[1]);
+  const double half_square = 0.5 / (of_slip * of_slip); /* half the slip's square over size^2 */
   rot_clutch_engagement x;
   x.locked_torque_n_m = locked_torque(inertia, torque[0], torque[1]);
-  x.omega_rad_per_s = rot_product(3, (double[]){0.5, inertia[0], omega[0]}, half_sum) +
-                      rot_product(3, (double[]){0.5, inertia[1], omega[1]}, half_sum);
-  if (half_slip == 0.0) x.omega_rad_per_s = omega[0];
+  x.omega_rad_per_s = rot_product(3, (double[]){of_inertia, inertia[0], omega[0]}, sum) +
+                      rot_product(3, (double[]){of_inertia, inertia[1], omega[1]}, sum);
+  if (slip == 0.0) x.omega_rad_per_s = omega[0];
   if (fabs(x.locked_torque_n_m) > capacity) return never_locks(x.locked_torque_n_m);
-  if (isinf(capacity) || half_slip == 0.0) {
+  if (isinf(capacity) || slip == 0.0) {
     x.lock_s = 0.0;
-    x.heat_j = rot_product(4, (double[]){2.0, reduced, size, size}, 1.0);
+    x.heat_j = rot_product(4, (double[]){half_square, reduced, size, size}, 1.0);
     return x;
   }
-  /* Half of the torque that brakes the slip. */
-  const double half = 0.5 * capacity - 0.5 * sign(half_slip) * x.locked_torque_n_m;
-  if (!(half > 0.0)) return never_locks(x.locked_torque_n_m);
-  x.lock_s = rot_product(2, (double[]){size, reduced}, half);
+  const double of_torque = factor_of_sum(capacity, x.locked_torque_n_m);
+  /* The torque that brakes the slip, with that factor. */
+  const double brakes = of_torque * capacity - of_torque * sign(slip) * x.locked_torque_n_m;
+  if (!(brakes > 0.0)) return never_locks(x.locked_torque_n_m);
+  const double of_time = of_torque / of_slip;
+  x.lock_s = rot_product(3, (double[]){of_time, size, reduced}, brakes);
   int of_sum = 0;
-  const double sum = frexp(half_sum, &of_sum);
+  const double fraction_of_sum = frexp(sum, &of_sum);
   for (int i = 0; i < 2; i++) {
     int e;
-    const double p = rot_product_split(4, (double[]){0.5, torque[i], size, reduced}, half, &e);
-    x.omega_rad_per_s += ldexp(p / sum, e - of_sum);
+    const double p = rot_product_split(
+        4, (double[]){of_time * of_inertia, torque[i], size, reduced}, brakes, &e);
+    x.omega_rad_per_s += ldexp(p / fraction_of_sum, e - of_sum);
   }
-  x.heat_j = rot_product(4, (double[]){capacity, reduced, size, size}, half);
+  x.heat_j =
+      rot_product(5, (double[]){of_torque * half_square, capacity, reduced, size, size}, brakes);
   return x;
 }
 

@@ -67,6 +67,9 @@ rot_status rot_race_starts(const rot_race_bodies *bodies, const rot_race_columns
   return ROT_OK;
 }
 
+/* => rate times t: of an infinite rate 0 at the start. */
+static double after(double rate, double t) { return t == 0.0 && isinf(rate) ? 0.0 : rate * t; }
+
 rot_status rot_race_run(size_t n, const double acceleration[], const double angular[],
                         const double finish_s[], size_t times, const double time_s[],
                         const rot_race_frames *out, const rot_hooks *hooks, rot_info *info) {
@@ -77,10 +80,10 @@ rot_status rot_race_run(size_t n, const double acceleration[], const double angu
       const int finished = time_s[k] >= finish_s[i];
       const double t = finished ? finish_s[i] : time_s[k], half = 0.5 * t;
       out->time_s[row] = time_s[k];
-      out->x_m[row] = acceleration[i] * t * half;
-      out->v_m_per_s[row] = acceleration[i] * t;
-      out->theta_rad[row] = angular[i] * t * half;
-      out->omega_rad_per_s[row] = angular[i] * t;
+      out->v_m_per_s[row] = after(acceleration[i], t);
+      out->omega_rad_per_s[row] = after(angular[i], t);
+      out->x_m[row] = after(out->v_m_per_s[row], half);
+      out->theta_rad[row] = after(out->omega_rad_per_s[row], half);
       out->finished[row] = finished;
       if ((row + 1) % CHUNK) continue;
       info->status = rot_poll(hooks, (double)row / rows);
