@@ -53,7 +53,8 @@
 #' @section Errors: `rotdyn_error_value` for a start at rest on level ground or uphill, a curve that
 #'   is not finite, or one that bends more than the body fits; `rotdyn_error_type`,
 #'   `rotdyn_error_size`, `rotdyn_error_missing`, `rotdyn_error_argument`; `rotdyn_error_type` for a
-#'   function whose derivative is unknown. Errors of the curve's functions are passed on.
+#'   function whose derivative is unknown; `rotdyn_error_range` for a curve whose third powers of
+#'   lengths exceed double precision. Errors of the curve's functions are passed on.
 #' @source Kleppner and Kolenkow, An Introduction to Mechanics, 2nd ed. (2014), chapter 7; for the
 #'   brachistochrone Goldstein, Poole and Safko (2002), section 2.2.
 #' @seealso [loop_start_height()], [scene_incline()] for a plane.
@@ -99,11 +100,14 @@ roll_on_curve <- function(curve, from, to, body = 2 / 5, v0_m_per_s = 0, ..., fr
   roller <- curve_roller(body, call)
   c2 <- 2 * g / (1 + roller$beta)
   run <- list(
-    curve = curve, from = from, to = to, v0 = v0, g = g, c2 = c2, friction = friction,
+    curve = curve, from = from, to = to, v0 = v0, g = g, c2 = c2,
+    friction = if (friction > max_size) Inf else friction, # no force reaches either
     roller = roller, start = curve_values(curve, from, call), direction = sign(to - from)
   )
   check_curve_start(run, call)
+  check_curve_size(abs(to - from), "The distance from {.arg from} to {.arg to}", call)
   run$seen <- look_along(run, finest, breaks, call)
+  check_curve_size(max(run$seen$at$speed), "The curve's derivative", call)
   run$reach <- mean_reach(run, run$from, run$seen$u, run$seen$at)
   end <- curve_end(run, call)
   new_curve_motion(run, end, seq(from, to, length.out = rows), call)
@@ -471,7 +475,7 @@ look_along <- function(run, finest, breaks, call) {
   u <- sort(unique(u[u >= low & u <= low + span]))
   at <- as.data.frame(curve_values(run$curve, u, call))
   scale <- vapply(at, function(x) max(x) - min(x), 0)
-  size <- vapply(at, function(x) max(abs(x)), 0)
+  size <- vapply(at, function(x) max(abs(x), 2^-960), 0) # or roundings of it would be 0
   resolved <- TRUE
   open <- seq_len(length(u) - 1L)
   left <- u[open]
@@ -511,6 +515,16 @@ look_along <- function(run, finest, breaks, call) {
   all <- all[!duplicated(all$u), ]
   list(u = all$u, at = as.list(all[-1]), refined = c(refined$u, breaks), finest = if (resolved)
     finest else NA_real_)
+}
+
+# Curvatures have the third power of the speed along the curve.
+max_size <- 1e100
+check_curve_size <- function(size, what, call) {
+  if (size < max_size && size > 1 / max_size) return(invisible())
+  abort_rotdyn(c(
+    paste(what, "must be between 1e-100 and 1e100."), x = "It is {format(size, digits = 3)}.",
+    i = "Choose another unit of length."
+  ), "range", call)
 }
 
 # How far from the anchor the mean of the slope by 15 points is the difference of heights, at all
@@ -597,9 +611,9 @@ check_curve_start <- function(run, call) {
 curve_forces <- function(run, u, at = NULL, v2 = NULL, call = NULL) {
   at <- at %||% curve_values(run$curve, u, call)
   v2 <- v2 %||% square_speed(run, u, at$y)
-  bend <- (at$dx * at$ddy - at$dy * at$ddx) / at$speed^3
   cosine <- at$dx / at$speed
   sine <- at$dy / at$speed
+  bend <- (cosine * at$ddy - sine * at$ddx) / at$speed / at$speed
   b <- run$roller$beta
   list(
     normal = run$roller$mass * (v2 * bend + run$g * cosine),

@@ -41,6 +41,8 @@
 #'   known for a horizontal axis only, and NaN elsewhere. NA gives NA in what depends on it. Errors
 #'   are a few roundings; those of the nutation are below 1e-14 unless the top is within 1e-8 of
 #'   sleeping.
+#' @section Warnings: `rotdyn_warning_range` where finite numbers give a rate or a period beyond
+#'   double precision.
 #' @section Errors: `rotdyn_error_type` (a column is missing, or no numbers), `rotdyn_error_size`,
 #'   `rotdyn_error_value` with the row of the first value outside its domain, `rotdyn_error_unit`,
 #'   `rotdyn_error_argument`.
@@ -102,6 +104,10 @@ precession_table <- function(tops = NULL, axis_angle_deg = 90, transverse_moment
     "gravity_m_per_s2"
   )]))
   known <- any(!is.na(columns$transverse_moment_kg_m2))
+  falls <- columns$mass_kg != 0 & columns$lever_arm_m != 0 & columns$gravity_m_per_s2 != 0
+  moves <- list(ifelse(falls, 1, Inf)) # else it has no period
+  rates <- values[c("precession_rad_per_s", "precession_period_s")]
+  warn_beyond(rates, c(columns, moves), n, call)
   shown <- c(precession_columns, if (known) nutation_columns)
   out[shown] <- values[shown]
   new_table(out, nrow = n, first = c("precession_rad_per_s", "precession_period_s"))
