@@ -221,6 +221,13 @@ test_that("a motion that no budget can finish is refused at once", {
   refused(scene_hoop(1, 1, 2, theta0_rad = 1), c(0, 1e80))
   refused(suppressWarnings(scene_free(c(1e-160, 1.5, 2), c(1, 1, 0.1))))
   refused(scene_free(c(1, 1.5, 2), c(1, 1, 0.1), torque = c(1e160, 0, 0)))
+  refused(scene_pendulum(
+    body_rod(1, 1), 0.5, resistance(0.1), theta0_rad = 1, gravity_m_per_s2 = 1e80
+  ))
+  refused(scene_drive(
+    c(0.002, 0.5), coupling_shaft(1e80, 0.4, ratio = 10), torque = list(torque_sinusoid(2, 5), 0),
+    resistance = list(NULL, resistance(0.05))
+  ))
   # At rest it takes no steps, with friction it comes to rest.
   bead <- trajectory(scene_hoop(1, 1, 2, theta0_rad = 0), c(0, 1e80))
   expect_identical(bead$theta_rad, c(0, 0))
@@ -259,4 +266,28 @@ test_that("impulses and engagements are right where squares or sums are no doubl
     energy_partition(body_sphere(1, 1e-170), 1), "body.*too near for double precision",
     class = "rotdyn_error_value"
   )
+})
+
+test_that("a top's rates and a curve's sizes beyond double precision are named", {
+  wheel <- function(...) precession_table(body_hoop(2, 0.3), lever_arm_m = 0.1, ...)
+  expect_warning(wheel(spin_rad_per_s = 1e-310), "rad_per_s", class = "rotdyn_warning_range")
+  expect_warning(
+    wheel(spin_rad_per_s = 20, gravity_m_per_s2 = 5e-324), "period",
+    class = "rotdyn_warning_range"
+  )
+  expect_silent(wheel(spin_rad_per_s = 20, gravity_m_per_s2 = 0))
+  bowl <- function(a, to = 2, ...) {
+    summary(roll_on_curve(function(x) a * (x - 2)^2, 0, to, v0_m_per_s = 1, rows = 3, ...))
+  }
+  for (a in c(1e160, 1e300)) expect_error(bowl(a), class = "rotdyn_error_range")
+  for (to in c(5e-324, 1e-310)) expect_error(bowl(0.5, to), class = "rotdyn_error_range")
+  for (r in c(1e-310, 1e160)) {
+    expect_error(
+      roll_on_curve(curve_cycloid(r), 0.1, 3, v0_m_per_s = 1), class = "rotdyn_error_range"
+    )
+  }
+  expect_equal(bowl(0.5, friction = 1.7e308)$time_s, bowl(0.5)$time_s)
+  # A level track: its heights are subnormal.
+  took <- system.time(expect_equal(bowl(5e-324)$time_s, 2))
+  expect_lt(took[["user.self"]], 2)
 })
