@@ -731,6 +731,19 @@ test_that("at rest the angle has the error that it came to rest with", {
   }
 })
 
+test_that("what is locked to a body at rest gains no error there", {
+  # Locked within 1e-9 s and braked: rotor 2 has no contact to ground of its own.
+  for (end_s in c(1, 100)) {
+    motion <- trajectory(
+      scene_drive(
+        list(1, 1), list(coupling_clutch(5)), brake = list(brake(2), NULL),
+        omega0_rad_per_s = c(1e-8, 0)
+      ), c(5e-10, end_s)
+    )
+    expect_lt(glance(motion)$error, 1e-13)
+  }
+})
+
 test_that("gears with a loss reverse as the train of an axle does", {
   axle <- scene_gears(c(0.1, 2), 5, efficiency = 0.8, torque = c(2, 0), omega0_rad_per_s = -6)
   drive <- scene_drive(

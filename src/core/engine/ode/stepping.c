@@ -128,12 +128,18 @@ static rot_status resolve_transient(rot_ode_stepping *run) {
   return ROT_OK;
 }
 
-/* A speed that an event left at 0, as where a contact sticks, has no error there. */
+/* A speed that an event left at 0, as where a contact sticks, has no error there, nor has what is
+ * locked to it. */
 static void hold_what_rests(rot_ode_stepping *run) {
-  for (size_t k = 0; k < run->p->n_events; k++) {
-    const size_t i = run->p->events[k].component;
-    if (run->p->events[k].g || run->state.y[i] != 0.0 || run->state.slope[i] != 0.0) continue;
-    rot_ode_propagation_hold(run->propagation, i);
+  const rot_ode_params *p = run->p;
+  const double *y = run->state.y, *slope = run->state.slope;
+  int rests = 0;
+  for (size_t k = 0; k < p->n_events && !rests; k++) {
+    const size_t i = p->events[k].component;
+    rests = !p->events[k].g && y[i] == 0.0 && slope[i] == 0.0;
+  }
+  for (size_t i = 0; i < p->controlled && rests; i++) {
+    if (y[i] == 0.0 && slope[i] == 0.0) rot_ode_propagation_hold(run->propagation, i);
   }
 }
 
