@@ -78,6 +78,13 @@ static rot_status rhs(double t, const double y[], double f[], void *ctx) {
                                 &flow[ROT_FREE_MOTOR_WORK]);
 }
 
+static void start_state(const motion *m, double y[MAX]) {
+  memset(y, 0, MAX * sizeof *y);
+  y[0] = 1.0;
+  memcpy(y + MOMENTUM, m->rotors.momentum0, sizeof m->rotors.momentum0);
+  memcpy(y + ROTORS, m->rotors.start, m->rotors.n_states * sizeof *y);
+}
+
 static void renormalise(double t, double y[], void *ctx) {
   (void)t, (void)ctx;
   (void)rot_attitude_unit(y);
@@ -229,9 +236,8 @@ static rot_status run_at(motion *m, const rot_free_ode_options *options, double 
                                   {4, 3, ROT_ODE_VECTOR},
                                   {ROTORS, m->rotors.n_states, ROT_ODE_VECTOR}};
   const rot_free_params *p = m->p;
-  double start[MAX] = {1.0};
-  for (int k = 0; k < 3; k++) start[MOMENTUM + k] = m->rotors.momentum0[k];
-  for (size_t k = 0; k < m->rotors.n_states; k++) start[ROTORS + k] = m->rotors.start[k];
+  double start[MAX];
+  start_state(m, start);
   /* Noise level: a motion that starts within the noise of its torque has no digits to resolve. */
   const double late =
       n ? fmax(fabs(time_s[0] - p->start_s), fabs(time_s[n - 1] - p->start_s)) : 0.0;
@@ -368,14 +374,24 @@ static rot_status run_twice(motion *m, const rot_free_ode_options *options, size
   return status;
 }
 
+/* At rest at the start, for ever: all slopes are exactly 0, and no law depends on the time. */
+static int stays(motion *m) {
+  const rot_free_params *p = m->p;
+  double y[MAX], f[MAX], sum = 0.0;
+  if (p->law || p->motors || p->n_breaks) return 0;
+  start_state(m, y);
+  if (rhs(p->start_s, y, f, m) != ROT_OK) return 0;
+  for (size_t k = 0; k < m->state; k++) sum += fabs(f[k]);
+  return sum == 0.0;
+}
+
 /* Events of a run. A body released at a turning point has an event at the start, as in closed
  * form. */
 static rot_status give_events(motion *m, const rot_events *log, rot_events *events) {
-  double y[MAX] = {1.0};
+  double y[MAX];
   rot_events start = {0};
   rot_status status = ROT_OK;
-  for (int k = 0; k < 3; k++) y[MOMENTUM + k] = m->rotors.momentum0[k];
-  for (size_t k = 0; k < m->rotors.n_states; k++) y[ROTORS + k] = m->rotors.start[k];
+  start_state(m, y);
   if (rot_free_has_weight(m->p) && rise(m->p->start_s, y, m) == 0.0) {
     note_turn(m->p->start_s, y, m, &start);
   }
@@ -418,6 +434,7 @@ rot_status rot_free_integrate(const rot_free_params *p, const rot_free_ode_optio
     const rot_status rows = fill_rows(&m, n, result.y, out, flow, info);
     if (rows != ROT_OK) status = rows;
   }
+  if (stays(&m)) memset(result.measure, 0, sizeof result.measure);
   note_errors(&m, &result, info);
   flow_error[ROT_FREE_MOTOR_WORK] = 0.0;
   for (size_t k = 0; k < m.flows; k++) flow_error[k] = 2.0 * result.error[m.groups + k];

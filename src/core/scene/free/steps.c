@@ -237,6 +237,10 @@ int rot_free_step_order(rot_method method) {
 
 /* ---- a run ----------------------------------------------------------------------------------- */
 
+/* Ends of steps in front of a row, where the two runs are compared, too: half a swing and more. At
+ * the row alone the difference of an oscillation may be next to 0. */
+enum { PLACES = 32 };
+
 typedef struct run {
   stepper s;
   double start[MAX];
@@ -244,7 +248,10 @@ typedef struct run {
   int parts;     /* of each step and of each row's */
   size_t n, max_steps, rows_done;
   const double *time_s;
-  double *y; /* n rows of s.dim components */
+  double *y;           /* n rows of s.dim components */
+  double *place;       /* states of s.dim components at the ends of steps in front of rows */
+  size_t places, room; /* number of them, of those that fit */
+  size_t settled;      /* number of places in front of the last row so far */
   const rot_hooks *hooks;
   double largest_omega, largest_momentum, failed_s;
   double from, to; /* progress of this run, as fractions of the total */
@@ -281,6 +288,27 @@ static rot_status step_in_parts(run *r, double t, double h, double y[]) {
     status = one_step(&r->s, t + k * part, part, y);
   }
   return status;
+}
+
+/* The last PLACES to 2 PLACES ends of steps since the last row. */
+static rot_status keep_place(run *r, const double y[]) {
+  const size_t dim = r->s.dim;
+  if (r->places - r->settled == 2 * PLACES) {
+    double *first = r->place + r->settled * dim;
+    memmove(first, first + PLACES * dim, PLACES * dim * sizeof *first);
+    r->places -= PLACES;
+  }
+  if (r->places == r->room) {
+    const size_t room = 2 * r->room + 2 * PLACES;
+    double *place = realloc(r->place, room * dim * sizeof *place);
+    if (!place) return ROT_ENOMEM;
+    r->place = place;
+    r->room = room;
+  }
+  double *place = r->place + r->places++ * dim;
+  memcpy(place, y, dim * sizeof *place);
+  place[WORK] += r->s.potential - potential_of(r->s.p, place);
+  return ROT_OK;
 }
 
 /* state at the end of a step => row i at time t, by a shorter step. */
@@ -321,6 +349,7 @@ static rot_status go(run *r, int forward, size_t first, size_t end) {
         const rot_status status = write_at(r, t, y, row);
         if (status != ROT_OK) return status;
         r->rows_done++;
+        r->settled = r->places;
         row = forward ? row + 1 : row - 1;
       }
       if (row == end) break;
@@ -331,6 +360,7 @@ static rot_status go(run *r, int forward, size_t first, size_t end) {
       }
       rot_status status = step_in_parts(r, t, next - t, y);
       if (status == ROT_OK && !finite_state(r, y)) status = ROT_ERANGE;
+      if (status == ROT_OK) status = keep_place(r, y);
       r->s.steps++;
       if (status == ROT_OK && r->s.steps % 4096 == 0) {
         const double done = (double)r->rows_done / (double)r->n;
@@ -355,6 +385,7 @@ static rot_status step_to_end(run *r) {
   while (before < r->n && r->time_s[before] < r->s.p->start_s) before++;
   note_size(r, r->start);
   rot_status status = before ? go(r, 0, before - 1, (size_t)-1) : ROT_OK;
+  r->places = r->settled; /* those behind the last row lead to none */
   if (status != ROT_OK) {
     r->rows_done = 0;
     return status;
@@ -413,48 +444,54 @@ double rot_free_default_step(const rot_free_params *p, rot_method method, double
   return span_s > 0.0 ? 1e-3 * span_s : 1.0;
 }
 
+/* Largest differences of two runs. */
+typedef struct differences {
+  double angle, omega, momentum, flow[ROT_FREE_FLOWS];
+} differences;
+
+static void note_difference(const stepper *s, const double x[], const double y[], differences *d) {
+  const double *m = s->p->moment_kg_m2;
+  double omega = 0.0, momentum = 0.0, own = 0.0, in_x[3], in_y[3], wx[3], wy[3];
+  rot_attitude_to_space(x, x + MOMENTUM, in_x);
+  rot_attitude_to_space(y, y + MOMENTUM, in_y);
+  omega_of(s, x, wx);
+  omega_of(s, y, wy);
+  for (int k = 0; k < 3; k++) {
+    omega = hypot(omega, s->rotors.n ? wx[k] - wy[k] : (x[MOMENTUM + k] - y[MOMENTUM + k]) / m[k]);
+    momentum = hypot(momentum, in_x[k] - in_y[k]);
+  }
+  for (size_t k = 0; k < s->rotors.n_states; k++) own = hypot(own, x[ROTORS + k] - y[ROTORS + k]);
+  d->angle = fmax(d->angle, rot_attitude_angle(x, y));
+  d->omega = fmax(d->omega, omega);
+  d->momentum = fmax(d->momentum, fmax(momentum, own));
+  for (int f = 0; f < ROT_FREE_FLOWS; f++) {
+    /* of differences between two rows, which may be on both sides of the start */
+    d->flow[f] = fmax(d->flow[f], fabs(x[STATE + f] - y[STATE + f]));
+  }
+}
+
 /* Errors of the rows of `r`, from a run with the halves of its steps. */
 static void note_errors(const run *r, const run *half, double flow_error[], rot_info *info) {
   const rot_free_rotors *rotors = &r->s.rotors;
-  const double *m = r->s.p->moment_kg_m2;
+  const size_t dim = r->s.dim;
   const int order = rot_free_step_order(r->s.method);
   const double rounding = rot_ode_fixed_rounding((double)half->s.steps);
-  double angle = 0.0, omega = 0.0, momentum = 0.0;
-  for (int f = 0; f < ROT_FREE_FLOWS; f++) flow_error[f] = 0.0;
-  for (size_t i = 0; i < r->rows_done; i++) {
-    const double *x = r->y + i * r->s.dim, *y = half->y + i * r->s.dim;
-    double by_omega = 0.0, by_momentum = 0.0, by_rotors = 0.0, in_x[3], in_y[3], wx[3], wy[3];
-    const int both = i < half->rows_done;
-    if (!both) angle = omega = momentum = INFINITY;
-    if (!both) break;
-    angle = fmax(angle, rot_attitude_angle(x, y));
-    rot_attitude_to_space(x, x + MOMENTUM, in_x);
-    rot_attitude_to_space(y, y + MOMENTUM, in_y);
-    omega_of(&r->s, x, wx);
-    omega_of(&r->s, y, wy);
-    for (int k = 0; k < 3; k++) {
-      by_omega =
-          hypot(by_omega, rotors->n ? wx[k] - wy[k] : (x[MOMENTUM + k] - y[MOMENTUM + k]) / m[k]);
-      by_momentum = hypot(by_momentum, in_x[k] - in_y[k]);
-    }
-    for (size_t k = 0; k < rotors->n_states; k++) {
-      by_rotors = hypot(by_rotors, x[ROTORS + k] - y[ROTORS + k]);
-    }
-    omega = fmax(omega, by_omega);
-    momentum = fmax(momentum, fmax(by_momentum, by_rotors));
-    for (int f = 0; f < ROT_FREE_FLOWS; f++) {
-      /* of differences between two rows, which may be on both sides of the start */
-      flow_error[f] = fmax(flow_error[f], fabs(x[STATE + f] - y[STATE + f]));
-    }
+  differences d = {.angle = 0.0};
+  for (size_t i = 0; i < r->rows_done && i < half->rows_done; i++) {
+    note_difference(&r->s, r->y + i * dim, half->y + i * dim, &d);
   }
-  const double by_angle = rot_ode_fixed_factor(order, angle, 1.0),
-               by_omega = rot_ode_fixed_factor(order, omega, r->largest_omega),
-               by_momentum = rot_ode_fixed_factor(order, momentum, r->largest_momentum);
-  angle *= by_angle;
-  omega *= by_omega;
-  momentum *= by_momentum;
+  for (size_t i = 0; i < r->settled && i < half->settled; i++) {
+    note_difference(&r->s, r->place + i * dim, half->place + i * dim, &d);
+  }
+  if (half->rows_done < r->rows_done) d.angle = d.omega = d.momentum = INFINITY;
+  const double by_angle = rot_ode_fixed_factor(order, d.angle, 1.0),
+               by_omega = rot_ode_fixed_factor(order, d.omega, r->largest_omega),
+               by_momentum = rot_ode_fixed_factor(order, d.momentum, r->largest_momentum);
+  const double omega = by_omega * d.omega, momentum = by_momentum * d.momentum;
+  /* Where the rates are lost, two runs may have the same wrong attitude. */
+  const double angle = omega > r->largest_omega ? PI : by_angle * d.angle;
   for (int f = 0; f < ROT_FREE_FLOWS; f++) {
-    flow_error[f] *= 2.0 * fmax(by_angle, fmax(by_omega, by_momentum));
+    flow_error[f] = d.flow[f] * 2.0 * fmax(by_angle, fmax(by_omega, by_momentum));
   }
   rot_info_measures(info, rot_free_measures);
   info->measure[ROT_FREE_ATTITUDE] = (rot_measure){fmin(angle + rounding, PI), 1.0, 1.0, 1.0};
@@ -530,6 +567,8 @@ rot_status rot_free_step_through(const rot_free_params *p, const rot_free_step_o
       break;
     }
   }
+  free(r.place);
+  free(half.place);
   free(y);
   return info->status;
 }
