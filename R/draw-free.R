@@ -15,15 +15,23 @@ draw_free <- function(scene) {
   ))
   for (one in still$marks) d$add(one)
   for (k in seq_len(NROW(still$labels))) do.call(d$say, as.list(still$labels[k, ]))
-  # The principal axes, from where they leave the body; their names stand at the ends that arrows
-  # point to less often.
+  # The principal axes, from where they leave the body; their names stand at the ends that
+  # arrows point to less often, at the others where an arrow or a name is near.
   view <- view_of_space()
+  arrows <- Filter(function(one) one$type == "arrow", still$marks)
+  along <- lapply(arrows, function(one) {
+    (0:8 / 8) %o% one$points[2, ] + (8:0 / 8) %o% one$points[1, ]
+  })
+  taken <- do.call(rbind, c(list(c(Inf, Inf), cbind(still$labels$x, still$labels$y)), along))
   axes <- turn %*% axes_of(scene)
   for (k in 1:3) {
     direction <- as.vector(view %*% axes[, k]) * still$unit
     ends <- c(solid$semi[k], solid$semi[k] + 0.22 / still$unit)
     for (side in c(-1, 1)) d$add(mark("line", side * ends %o% direction, "dashed"))
-    at <- -(ends[2] + 0.07 / still$unit) * direction
+    at <- (ends[2] + 0.13 / still$unit) * rbind(-direction, direction)
+    room <- apply(at, 1, function(end) sqrt(min(colSums((t(taken) - end)^2))))
+    at <- at[if (room[1] < 0.3 && room[2] > room[1]) 2 else 1, ]
+    taken <- rbind(taken, at)
     d$say(paste0("I[", k, "]"), at[1], at[2])
     d$key(quantity(paste0("I[", k, "]"), "principal moment", value_text(moments[k], "kg m^2")))
   }

@@ -42,22 +42,27 @@ autoplot.rot_audit <- function(object, ..., base_size = 13) {
   empty <- unique(drawn$panel)[!empty[unique(drawn$panel)]]
   still <- length(empty) == length(unique(drawn$panel))
   if (!still) drawn <- drawn[!drawn$panel %in% empty, ]
+  # Smaller letters shorten the lines, or, of many rows, join them.
+  many <- FALSE
   label_in <- function(size) {
+    folded_at <- if (many) size else min(0.66 * base_size, 1.2 * size)
     vapply(seq_len(nrow(drawn)), function(i) {
       one <- paste0(drawn$term[i], ", ", drawn$value_text[i])
-      if (text_width(one, size) <= 2.5 * 72) return(one)
-      paste(wrap_text(drawn$term[i], size, 2.5), drawn$value_text[i], sep = "\n")
+      if (text_width(one, folded_at) <= 2.5 * 72) return(one)
+      paste(wrap_text(drawn$term[i], folded_at, 2.5), drawn$value_text[i], sep = "\n")
     }, "")
   }
-  # All rows fit a picture of 5 inches.
+  # All rows fit a picture of 3 inches, if somewhat smaller letters do it, or one of 5 inches.
   # Panels have one height.
   rows <- max(table(drawn$panel)) * length(unique(drawn$panel))
   high <- function(size) {
     1.05 * size * rows * (max(nchar(gsub("[^\n]", "", label_in(size)))) + 1.3)
   }
-  room <- 360 - 4 * base_size - 2.3 * base_size * length(unique(drawn$panel))
+  room <- function(inches) 72 * inches - base_size * (4 + 2.3 * length(unique(drawn$panel)))
   small <- 0.66 * base_size
-  while (small > 6 && high(small) > room) small <- 0.95 * small
+  while (small > 0.55 * base_size && high(small) > room(3)) small <- 0.98 * small
+  many <- high(small) > room(3)
+  while (small > 6 && high(small) > room(5)) small <- 0.95 * small
   drawn$label <- label_in(small)
   # Rows are numbered, so that a term may stand in two panels.
   drawn$row <- factor(seq_len(nrow(drawn)), levels = rev(seq_len(nrow(drawn))))
@@ -112,7 +117,8 @@ autoplot.rot_audit <- function(object, ..., base_size = 13) {
     plot_theme(base_size) +
     ggplot2::theme(
       panel.grid.major.y = ggplot2::element_blank(), legend.justification = "right",
-      strip.text = ggplot2::element_text(size = 0.66 * base_size),
+      strip.text = ggplot2::element_text(size = 0.66 * base_size, hjust = if (many) 1),
+      strip.clip = "off",
       axis.text.y = ggplot2::element_text(size = small, lineheight = 0.9)
     )
 }

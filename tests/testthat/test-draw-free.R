@@ -18,3 +18,17 @@ test_that("a free body is drawn as the ellipsoid of its second moments", {
   skip_if_not_installed("ggplot2")
   expect_s3_class(ggplot2::autoplot(scene), "ggplot")
 })
+
+test_that("no name of an axis is at an arrow or at another name", {
+  drawing <- draw_free(scene_free(body_box(2, 0.5, 0.9, 1.3), c(1, 2, 3)))
+  at <- as.matrix(drawing$labels[c("x", "y")])
+  expect_gt(min(dist(at)), 0.3)
+  arrows <- Filter(function(one) one$type == "arrow", drawing$marks)
+  along <- do.call(rbind, lapply(arrows, function(one) {
+    outer(0:20 / 20, one$points[2, ]) + outer(20:0 / 20, one$points[1, ])
+  }))
+  names <- at[grepl("^I", drawing$labels$symbol), ]
+  expect_gt(min(as.matrix(dist(rbind(names, along)))[1:3, -(1:3)]), 0.3)
+  # At rest there are no arrows.
+  expect_equal(nrow(draw_free(scene_free(c(1, 2, 2.5), c(0, 0, 0)))$labels), 3)
+})

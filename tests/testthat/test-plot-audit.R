@@ -80,3 +80,15 @@ test_that("balances of nothing but rounding are named beside those with bars", {
   terms <- small$terms[[1]]
   expect_equal(plot$data$to[1], 1e12 * terms$value[terms$value != 0][1])
 })
+
+test_that("the rows of short balances fit a picture of three inches", {
+  height <- function(motion) {
+    plot <- ggplot2::autoplot(audit(motion))
+    panels <- length(unique(plot$data$panel))
+    lines <- max(nchar(gsub("[^\n]", "", plot$data$label))) + 1
+    rows <- max(table(plot$data$panel)) * panels
+    plot$theme$axis.text.y$size * 0.9 * lines * rows / (216 - 13 * (4 + 2.3 * panels))
+  }
+  expect_lt(height(spin_up()), 1)
+  expect_lt(height(trajectory(scene_incline(body_sphere(1, 0.1), 30), 0:2)), 1)
+})
