@@ -221,11 +221,23 @@ say <- function(..., sep = "") {
 folded <- function(line) {
   room <- print_width()
   if (nchar(line, "width") <= room) return(line)
+  line <- join_units(line)
   own <- nchar(sub("^( *).*", "\\1", line))
   head <- regmatches(line, regexpr("^ *\\S+( \\S+)?  +(?=\\S)", line, perl = TRUE))
   if (!length(head) || nchar(head) > room / 2) {
-    return(strwrap(line, room + 1L, indent = own, exdent = min(own + 2L, room %/% 2L)))
+    text <- strwrap(line, room + 1L, indent = own, exdent = min(own + 2L, room %/% 2L))
+    return(chartr(fixed_space, " ", text))
   }
   text <- strwrap(substring(line, nchar(head) + 1L), room + 1L - nchar(head))
-  paste0(c(head, rep(strrep(" ", nchar(head)), length(text) - 1L)), text)
+  chartr(fixed_space, " ", paste0(c(head, rep(strrep(" ", nchar(head)), length(text) - 1L)), text))
+}
+
+fixed_space <- "\u00a0"
+
+# A number and its unit stay on one line, where the encoding has a space for it.
+join_units <- function(line) {
+  if (!l10n_info()$`UTF-8`) return(line)
+  parts <- c("(?<=[0-9]) (?=[A-Za-z])", "(?<=\\bN|\\bm|kg) (?=(?:m|s)\\b)")
+  for (part in parts) line <- gsub(part, fixed_space, line, perl = TRUE)
+  line
 }
