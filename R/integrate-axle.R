@@ -78,8 +78,9 @@ read_zeros <- function(result, sampled, at, time_s) {
   rows <- utils::head(which(applied != 0 & abs(applied) <= noise), 129L)
   if (!length(rows)) return(result)
   exact <- at(time_s[rows])
-  rows <- rows[is.finite(exact) & abs(exact) <= noise]
-  exact <- exact[is.finite(exact) & abs(exact) <= noise]
+  small <- is.finite(exact) & abs(exact) <= noise
+  rows <- rows[small]
+  exact <- exact[small]
   damping <- result$columns$damping_torque_n_m[rows]
   stuck <- result$columns$net_torque_n_m[rows] == 0
   damping[stuck] <- -exact[stuck]

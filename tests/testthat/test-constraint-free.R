@@ -82,6 +82,9 @@ test_that("what is conserved follows from what acts", {
   expect_identical(conserved(driven)$conserved, rep(FALSE, 4))
   lift <- scene_free(c(1, 2, 3), c(0, 1, 0), torque = c(0, 0, 2), torque_axes = "space")
   expect_identical(conserved(lift)$conserved, c(FALSE, TRUE, TRUE, FALSE))
+  # In the body's axes the torque turns with the body.
+  nose <- scene_free(c(1, 2, 3), c(0, 1, 0), torque = c(0, 0, 2))
+  expect_identical(conserved(nose)$conserved, rep(FALSE, 4))
   report <- audit(trajectory(lift, 0:3))
   expect_identical(report$conserved, c(FALSE, TRUE, TRUE, FALSE, NA))
   expect_true(all(report$verdict == "balanced"))

@@ -770,3 +770,23 @@ test_that("an open clutch whose slip changes its sign reverses, as scene_clutch(
     expect_equal(events$time_s, c(2, 6), tolerance = 1e-9)
   }
 })
+
+test_that("a shaft drives a gear with losses: two masses in closed form", {
+  k <- 50
+  ratio <- 2
+  efficiency <- 0.8
+  twist <- 0.1
+  drive <- scene_drive(
+    list(2, 1, 3), list(coupling_shaft(k), coupling_gear(ratio, efficiency = efficiency)),
+    theta0_rad = c(twist, 0, 0), omega0_rad_per_s = c(1, 1, 1 / ratio)
+  )
+  # While the shaft pushes, power flows forward: the third body weighs 1/efficiency as much.
+  reduced <- 1 + 3 / (efficiency * ratio^2)
+  rate <- sqrt(k * (1 / 2 + 1 / reduced))
+  time_s <- seq(0, 1.5, 0.1) / rate
+  for (model in c("drive_rk8pd", "drive_radau")) {
+    motion <- trajectory(drive, time_s, model = model)
+    second <- motion$omega_rad_per_s[motion$rotor == 2]
+    expect_equal(second, 1 + k * twist / (reduced * rate) * sin(rate * time_s), tolerance = 1e-9)
+  }
+})

@@ -53,6 +53,9 @@ test_that("what is lost on the way to the centre is said, in digits", {
   )
   # Half of the digits is where it begins: m d^2 = 1e8 times what is left.
   expect_no_warning(parallel_axis(1e8 + 1, 1e8, 1, direction = "to_centre"))
+  expect_warning(
+    parallel_axis(1.5e8 + 1, 1.5e8, 1, direction = "to_centre"), class = "rotdyn_warning_digits"
+  )
   expect_no_warning(parallel_axis(1, 1e12, 1))
   expect_warning(
     left <- parallel_axis(diag(c(1, 1, 1)) + 1e10 * diag(c(0, 1, 1)), 1e10, c(1, 0, 0),

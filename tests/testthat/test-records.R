@@ -130,6 +130,10 @@ test_that("times are a grid where that gives the same doubles", {
     expect_identical(read_times(times_text(x), NULL), x)
   }
   expect_match(times_text(seq(0, 8, by = 0.01)), "step")
+  # The mean step is another double than the first one.
+  thirds <- grid_times(0, 1 / 3, 26)
+  expect_false(identical(grid_times(0, thirds[26] / 25, 26), thirds))
+  expect_match(times_text(thirds), "step")
   expect_error(read_times("{\"from\":0,\"step\":1}", NULL), class = "rotdyn_error_record")
   expect_error(read_times("{\"at\":\"system('id')\"}", NULL), class = "rotdyn_error_record")
 })

@@ -100,3 +100,9 @@ test_that("rows that were filtered or changed are no race: they would be taken f
   expect_false(inherits(dplyr::filter(race, lane == 1), "rot_race"))
   expect_false(inherits(dplyr::mutate(race, x_m = 2 * x_m), "rot_race"))
 })
+
+test_that("without an arrival the frames end after a second", {
+  flat <- roll_race(c("hoop", "sphere"), incline_angle_deg = 0, frames = 3)
+  expect_identical(unique(flat$time_s), c(0, 0.5, 1))
+  expect_true(all(flat$x_m == 0))
+})

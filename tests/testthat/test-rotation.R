@@ -71,7 +71,10 @@ test_that("what is no rotation is refused by class", {
   expect_error(turn(diag(c(1, 1, NA))), class = "rotdyn_error_value")
   expect_error(turn(diag(c(1, 1, Inf))), class = "rotdyn_error_value")
   expect_error(turn(diag(c(1, 1, -1))), "reflection", class = "rotdyn_error_value")
-  expect_error(turn(1.001 * diag(3)), "differs from 1", class = "rotdyn_error_value")
+  for (factor in c(1.001, 1 + 2e-7)) {
+    expect_error(turn(factor * diag(3)), "differs from 1", class = "rotdyn_error_value")
+  }
+  expect_no_error(turn((1 + 2e-9) * diag(3)))
   expect_error(turn(c(1, 1, 0, 0)), "unit quaternion", class = "rotdyn_error_value")
   expect_error(turn(c(0, 0, 0, 0)), "unit quaternion", class = "rotdyn_error_value")
   expect_error(rotation_about(), class = "rotdyn_error_missing")

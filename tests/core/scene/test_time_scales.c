@@ -96,6 +96,9 @@ static void check_incline(void) {
   scene.drag_n_s2_per_m2 = 0.5;
   rot_incline_time_scales_of_start(&scene, &scales);
   ROT_CHECK(scales.fades_s == 0.5);
+  scene.slope.v0_m_per_s = scene.slope.omega0_rad_per_s = 0.0; /* at rest: the drag's */
+  rot_incline_time_scales_of_start(&scene, &scales);
+  ROT_CHECK(scales.fades_s == 2.0);
   scene.drag_n_s_per_m = scene.drag_n_s2_per_m2 = scene.slope.gravity_m_per_s2 = 0.0;
   rot_incline_time_scales_of_start(&scene, &scales);
   ROT_CHECK(scales.fades_s == (double)INFINITY);

@@ -289,6 +289,23 @@ static void check_hold_on_curve(void) {
   ROT_CHECK_ULP(r.events.time_s[0], 3.0, 1);
 }
 
+/* The limit of the segments is one for each piece of the torque. */
+static void check_many_pieces(void) {
+  enum { PIECES = 3000 };
+  static double knots[PIECES + 1], torque[PIECES + 1];
+  const double t[] = {PIECES};
+  for (int i = 0; i <= PIECES; i++) {
+    knots[i] = i;
+    torque[i] = i % 2 ? 0.5 : 1.0;
+  }
+  rot_axle_scene s = plain_scene(1.0, 0.0, 1.0, 0.0);
+  s.coulomb_n_m = s.static_n_m = 0.25;
+  with_knots(&s, PIECES + 1, knots, torque);
+  go(&s, 1, t); /* 0.75 N m in the mean */
+  ROT_CHECK(r.status == ROT_OK);
+  ROT_CHECK_REL(r.omega[0], 1.0 + 0.5 * PIECES, 1e-14);
+}
+
 /* ---- what is refused ------------------------------------------------------------------------ */
 
 static void check_refusals(void) {
@@ -342,6 +359,7 @@ int main(void) {
   check_stiff_crossing();
   check_rising();
   check_hold_on_curve();
+  check_many_pieces();
   check_refusals();
   rot_events_free(&r.events);
   rot_events_free(&other.events);
