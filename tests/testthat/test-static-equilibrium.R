@@ -616,3 +616,13 @@ test_that("a limit has its verdict where the search has none next to it", {
   # Both loads count by their ratio alone.
   expect_equal(limits$lowest_factor[2] * limits$highest_factor[1], 1, tolerance = 1e-6)
 })
+
+test_that("loads far beyond the supports leave the supports what they are", {
+  for (x in 10^c(0, 6, 12, 14, 20, 100, 290)) {
+    rest <- static_equilibrium(
+      load_weight(20, c(x, 0)), list(left = support_pin(c(0, 0)), right = support_roller(c(4, 0)))
+    )
+    expect_identical(summary(rest)$verdict, "rests")
+    expect_equal(rest$fy_n, 20 * 9.80665 * c(1 - x / 4, x / 4), tolerance = 1e-14)
+  }
+})

@@ -204,15 +204,23 @@ static void fill_column(equations *eq, size_t j, const rot_reaction *reaction) {
   }
 }
 
-/* => exponent of the largest distance of a load or support from `about` */
+/* => exponent of the largest distance of a load or support from `about`. Loads count up to FAR times
+ * as far away as the supports: further, they would make a lever of those, that of a rank, a
+ * rounding. */
 static int extent(const rot_structure *s, const double about[3], int e) {
-  double largest = 0.0;
+  enum { FAR = 20, NEVER = 1000 }; /* exponents; numbers of 2^1000 have no products */
+  double of_loads = 0.0, of_supports = 0.0;
   for (size_t i = 0; i < 3 * s->loads; i++)
-    largest = fmax(largest, fabs(ldexp(s->load_at[i], -e) - ldexp(about[i % 3], -e)));
+    of_loads = fmax(of_loads, fabs(ldexp(s->load_at[i], -e) - ldexp(about[i % 3], -e)));
   for (size_t j = 0; j < s->reactions; j++)
     for (int i = 0; i < 3; i++)
-      largest = fmax(largest, fabs(ldexp(s->reaction[j].at[i], -e) - ldexp(about[i], -e)));
-  return largest > 0.0 ? exponent_of(largest) + e : e;
+      of_supports = fmax(of_supports, fabs(ldexp(s->reaction[j].at[i], -e) - ldexp(about[i], -e)));
+  const double largest = fmax(of_loads, of_supports);
+  if (!(largest > 0.0)) return e;
+  const int far = exponent_of(largest);
+  if (!(of_supports > 0.0)) return far + e;
+  const int near = exponent_of(of_supports) + FAR;
+  return (near > far ? far : near > far - NEVER ? near : far - NEVER) + e;
 }
 
 static void set_loads(equations *eq, const rot_structure *s, const int chosen[], int wanted) {
