@@ -28,7 +28,7 @@ error_kinds <- c(
   accuracy = "an accuracy that no model reaches",
   package = "a package that is not installed",
   range = "a state outside the range of double precision",
-  budget = "the step budget is used up",
+  budget = "the step budget does not suffice",
   step = "a step below the resolution of time",
   memory = "out of memory"
 )

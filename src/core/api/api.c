@@ -30,7 +30,7 @@ static const char *const status_texts[] = {
     "an argument is not possible",
     "the motion leaves the range of double precision",
     "the torque function gave no finite number",
-    "the step budget is used up",
+    "the step budget does not suffice",
     "the step fell below the resolution of time",
     "stopped by the caller",
     "there is no such model, or it does not take the scene",

@@ -14,7 +14,7 @@
   X(ROT_ERANGE, "the state left the range of double precision", "range")                           \
   X(ROT_ETORQUE, "the torque law gave no finite number", "torque")                                 \
   X(ROT_ERHS, "the right-hand side gave no finite number", "rhs")                                  \
-  X(ROT_EBUDGET, "the step budget is used up", "budget")                                           \
+  X(ROT_EBUDGET, "the step budget does not suffice", "budget")                                     \
   X(ROT_ESTEP, "the step fell below the resolution of time", "step")                               \
   X(ROT_ERANDOM, "the torque law gave two values for the same arguments", "random")                \
   X(ROT_EUNWIND, "stopped by the caller", "unwind")
