@@ -226,7 +226,7 @@ audit_row <- function(plan, i, call) {
   }
   list(
     model = run$model, other = other,
-    verdict = if (all(verdicts == "balanced")) "balanced" else setdiff(verdicts, "balanced")[1],
+    verdict = c(setdiff(verdicts, "balanced"), "balanced")[1],
     share = share
   )
 }
