@@ -128,19 +128,13 @@ collide <- function(body_1, body_2 = NULL, ..., velocity_1_m_per_s, velocity_2_m
   if (separating == "refuse") check_approach(approach, call)
   contact <- c(list(normal = normal, law = match(law, laws) - 1), numbers)
   out <- .Call(ffi_collide, first, second, contact, as.double(n))
-  faults <- out[[2]]
-  if (faults[1] > 0) {
+  if (out[[2]] > 0) {
     abort_rotdyn(c(
       "The impulse would turn a body about an axis about which it has no moment of inertia.",
-      x = "In row {faults[1]}: the point of contact is not on the line or at the point that the body
+      x = "In row {out[[2]]}: the point of contact is not on the line or at the point that the body
            is.",
       i = "Give the body a radius, as {.fn body_cylinder} has."
     ), "value", call)
-  }
-  if (faults[2] > 0) {
-    warn_rotdyn(
-      c("A collision exceeds double precision.", x = "Row {faults[2]} is NaN."), "range", call
-    )
   }
   columns <- out[[1]]
   columns$sticks <- as.logical(columns$sticks)

@@ -80,7 +80,7 @@ static int body_of(party *p, R_xlen_t i, rot_collide_body *body) {
 enum { MAX_COLUMNS = 20 };
 
 /* two bodies (second NULL: a fixed obstacle), normals, coefficients, law of n collisions => list(
- * columns, first invalid rows) */
+ * columns, first row where a body has no moment) */
 SEXP ffi_collide(SEXP first, SEXP second, SEXP contact, SEXP rows) {
   static const char *const one[] = {"vx_1_m_per_s",        "vy_1_m_per_s",
                                     "vz_1_m_per_s",        "omega_x_1_rad_per_s",
@@ -107,7 +107,7 @@ SEXP ffi_collide(SEXP first, SEXP second, SEXP contact, SEXP rows) {
   for (int k = 0; k < 6 && bodies == 2; k++) names[columns++] = two[k];
   for (int k = 0; k < 8; k++) names[columns++] = rest[k];
   SEXP out = ffi_columns(columns, names, n, c);
-  double bad[2] = {0.0, 0.0}; /* first invalid row of each kind, from 1; 0: none */
+  double bad = 0.0; /* first row without a moment, from 1; 0: none */
   for (R_xlen_t i = 0; i < n; i++) {
     rot_collide_input in = {.law = (rot_restitution)law};
     rot_collide_end end;
@@ -119,10 +119,7 @@ SEXP ffi_collide(SEXP first, SEXP second, SEXP contact, SEXP rows) {
     in.friction = cell(friction, i, 0);
     known &= !ISNAN(in.restitution) && !ISNAN(in.friction);
     const rot_collide_status status = known ? rot_collide(&in, &end) : ROT_COLLIDE_OK;
-    if (status != ROT_COLLIDE_OK) {
-      double *first_bad = &bad[status == ROT_COLLIDE_NO_MOMENT ? 0 : 1];
-      if (!(*first_bad > 0.0)) *first_bad = (double)(i + 1);
-    }
+    if (status == ROT_COLLIDE_NO_MOMENT && !(bad > 0.0)) bad = (double)(i + 1);
     if (!known || status != ROT_COLLIDE_OK) {
       for (int k = 0; k < columns; k++) c[k][i] = known ? R_NaN : NA_REAL;
       continue;
@@ -141,7 +138,7 @@ SEXP ffi_collide(SEXP first, SEXP second, SEXP contact, SEXP rows) {
   }
   SEXP result = PROTECT(Rf_allocVector(VECSXP, 2));
   SET_VECTOR_ELT(result, 0, out);
-  SET_VECTOR_ELT(result, 1, ffi_numbers(2, bad));
+  SET_VECTOR_ELT(result, 1, Rf_ScalarReal(bad));
   UNPROTECT(2);
   return result;
 }

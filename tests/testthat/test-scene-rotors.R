@@ -56,7 +56,7 @@ test_that("the print has each torque in its place", {
 test_that("a body with its mass on the axle is named, with a remedy", {
   wheels <- list(body_disk(1, 1), body_disk(1, 0))
   expect_error(
-    scene_rotors(wheels, 2), "(?s)bodies\\[\\[2\\]\\]` must have.*give it a radius",
+    scene_rotors(wheels, 2), "(?s)bodies\\[\\[2\\]\\]` must have.*give it a larger\\s+radius",
     perl = TRUE, class = "rotdyn_error_value"
   )
   expect_error(

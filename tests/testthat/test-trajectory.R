@@ -273,7 +273,7 @@ test_that("an error larger than the motion is not known, and every verb says so"
   found <- audit(motion)
   expect_identical(found$verdict, rep(NA_character_, 2))
   expect_identical(found$rounding, rep(NA_real_, 2))
-  expect_output(print(found), "<rot_audit> NA")
+  expect_output(print(found), "<rot_audit> no verdict")
   expect_identical(dim(augment(motion))[1], 3L)
   # Within the growth the figure is a number.
   expect_lt(glance(trajectory(chaotic, c(0, 20)))$error, 1e-9)

@@ -334,7 +334,7 @@ static void check_refusals(void) {
       {"scene_rotors", "torque", 0, {1.0}, "each of the 3"},
       {"scene_rotors", "theta0_rad", 2, {1.0, 2.0}, "must have 1 or 3"},
       {"scene_clutch", "static_capacity_n_m", 0, {0.5}, "at least the slipping capacity"},
-      {"scene_clutch", "engage_s", 0, {INFINITY}, "at most"},
+      {"scene_clutch", "engage_s", 0, {INFINITY}, "or -Inf"},
       {"scene_clutch", "body_2", 0, {-2.0}, "greater than 0"},
       {"scene_drive", "bodies", 3, {1.0, -2.0, 1.0}, "item 2"},
       {"scene_drive", "torque", 3, {1.0, 2.0, 3.0}, "each of the 2"},
