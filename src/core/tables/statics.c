@@ -204,8 +204,8 @@ static void fill_column(equations *eq, size_t j, const rot_reaction *reaction) {
   }
 }
 
-/* => exponent of the largest distance of a load or support from `about`. Loads count up to FAR times
- * as far away as the supports: further, they would make a lever of those, that of a rank, a
+/* => exponent of the largest distance of a load or support from `about`. Loads count up to FAR
+ * times as far away as the supports: further, they would make a lever of those, that of a rank, a
  * rounding. */
 static int extent(const rot_structure *s, const double about[3], int e) {
   enum { FAR = 20, NEVER = 1000 }; /* exponents; numbers of 2^1000 have no products */
