@@ -682,8 +682,10 @@ report <- function(mutant) {
     "%s, line %d (%s)\n%s\n- %s\n+ %s\n", if (mutant$status == "killed") "killed" else "SURVIVED",
     mutant$line, mutant$kind, mutant$file, mutant$before, mutant$after
   ))
-  if (mutant$status == "killed") return(cat("by", substr(mutant$by, 1L, 200L), "\n\n"))
-  cat("ran:", if (length(mutant$ran)) mutant$ran else "no test calls it", "\n\n")
+  if (mutant$status == "killed") cat("by", substr(mutant$by, 1L, 200L), "\n\n")
+  else cat("ran:", if (length(mutant$ran)) mutant$ran else "no test calls it", "\n\n")
+  # Into a file each verdict at once: a run takes an hour.
+  flush(stdout())
 }
 by_kind <- list()
 in_processes(
