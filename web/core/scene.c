@@ -47,6 +47,8 @@ static int put(rotdyn_object *in, const char *key, const char *name, const rot_j
       (void)rot_json_number(one, &values[i++]);
     }
     status = rotdyn_set_numbers(in, key, node->n, values);
+    /* An array of one number is that number, as R reads it. */
+    if (status == ROTDYN_EARGUMENT && node->n == 1) status = rotdyn_set_number(in, key, *values);
     free(values);
   } else if (node->kind == ROT_JSON_ARRAY) {
     rotdyn_object *list = rotdyn_object_new("list");

@@ -215,6 +215,8 @@ test("a refusal names the input", () => {
   assert.equal(axle({ body: -1 }).input, "body");
   assert.equal(axle({ torque: "a" }).input, "torque");
   assert.equal(axle({ theta0_rad: [1, 2] }).input, "theta0_rad");
+  // An array of one number is that number, as R reads it.
+  assert.equal(axle({ theta0_rad: [5], torque: [2] }).status, 0);
   assert.equal(axle({ resistance: { viscos: 1 } }).input, "viscos");
   assert.equal(refused({ scene_axle: {} }).input, "body");
   assert.equal(refused({ scene_axel: {} }).status, 2);
