@@ -145,7 +145,7 @@ print.rot_animation <- function(x, ...) {
   say("<rot_animation> ", escape_controls(film$title), "\n")
   say(
     "  ", length(film$time_s), " frames from ", ends[1], " to ", ends[2], " s",
-    if (nzchar(speed)) paste0(", ", speed), "\n", sep = ""
+    if (nzchar(speed)) paste0(", ", speed), "\n"
   )
   say("  A file of it: animate_motion(motion, \"motion.html\"), .gif, .mp4 or .webm.\n")
   if (interactive()) show_page(format(x), current_env())

@@ -499,7 +499,7 @@ print.rot_mesh_check <- function(x, ...) {
     paste0("not a solid: ", failed, " condition", if (failed == 1L) " fails" else "s fail")
   } else {
     "bounds a solid"
-  }, "\n", sep = "")
+  }, "\n")
   told <- x[x$verdict %in% c("fails", "note"), columns]
   verdict <- ifelse(told$verdict == "fails", "FAILS", told$verdict)
   labels <- paste0("  ", format(verdict), "  ", format(told$condition), "  ")

@@ -152,7 +152,7 @@ print_inertia <- function(x) {
     print_field("inertia", paste0(moments, " kg m^2 ", about))
   } else {
     print_field("inertia", paste0("kg m^2 ", about, ":"))
-    say(paste0(strrep(" ", 12), format_columns(inertia, digits), "\n"), sep = "")
+    say(paste0(strrep(" ", 12), format_columns(inertia, digits), "\n"))
     moments <- clear_noise(axes$principal_moment_kg_m2, noise)
     print_field("principal", paste0(paste(format_si(moments, digits), collapse = ", "), " kg m^2"))
   }

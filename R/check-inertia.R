@@ -499,8 +499,7 @@ print.rot_inertia_check <- function(x, ...) {
     more <- length(rows) - 10L
     say(
       "... and ", more, " tensor", if (more > 1L) "s", " more, ", length(unique(left$row)),
-      " of them with a condition that fails\n",
-      sep = ""
+      " of them with a condition that fails\n"
     )
   }
   invisible(x)

@@ -144,11 +144,11 @@ print.rot_design <- function(x, ...) {
   say("<rot_design> ", design_words[[x$kind]], ", ", count(size), " row", if (size != 1) "s",
       if (x$kind == "saltelli") paste0(" of ", count(x$n), " base points"),
       if (!is.null(x$seed)) paste0(", seed ", format(x$seed, digits = 16, scientific = FALSE)),
-      if (x$kind == "sobol" && is.null(x$seed)) ", not scrambled", "\n", sep = "")
+      if (x$kind == "sobol" && is.null(x$seed)) ", not scrambled", "\n")
   width <- max(nchar(names(x$inputs)), 10L)
   for (name in names(x$inputs)) {
     say("  ", escape_controls(name), strrep(" ", width - nchar(name)), "  ",
-        law_words(x$inputs[[name]]), "\n", sep = "")
+        law_words(x$inputs[[name]]), "\n")
   }
   if (!is.null(x$correlation)) {
     say("  correlated: ", correlation_words(x$correlation), "\n")
@@ -156,10 +156,9 @@ print.rot_design <- function(x, ...) {
   near <- 2^floor(log2(x$n))
   if (x$kind %in% c("sobol", "saltelli") && x$n != near) {
     say("  ", count(x$n), " is no power of two: ", count(near), " or ", count(2 * near),
-        " points are spread more evenly\n", sep = "")
+        " points are spread more evenly\n")
   }
-  say("  any row at once: design_rows(design, first = ", format(size, scientific = FALSE), ")\n",
-      sep = "")
+  say("  any row at once: design_rows(design, first = ", format(size, scientific = FALSE), ")\n")
   invisible(x)
 }
 

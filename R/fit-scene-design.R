@@ -110,8 +110,7 @@ planned_numbers <- function(x, arg, call, positive = FALSE) {
 #' @export
 print.rot_planned_record <- function(x, ...) {
   say("<rot_planned_record> ", length(x$time_s), " times, ", format(x$time_s[1]), " to ",
-      format(x$time_s[length(x$time_s)]), " s, of ", paste(x$observed, collapse = ", "), "\n",
-      sep = "")
+      format(x$time_s[length(x$time_s)]), " s, of ", paste(x$observed, collapse = ", "), "\n")
   if (length(x$inputs)) {
     say(paste0("  ", names(x$inputs), " = ", format_each(x$inputs)), sep = "\n")
   }

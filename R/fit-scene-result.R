@@ -158,8 +158,7 @@ print.rot_fit <- function(x, ...) {
   say("<rot_fit> ", setdiff(names(about$node), "scene_format")[1], ", ",
       format(numbers[4], big.mark = ","), " samples of ",
       paste(unique(unlist(lapply(about$records, function(r) names(r$series)))), collapse = ", "),
-      if (length(about$records) > 1L) paste0(", ", length(about$records), " records"), "\n",
-      sep = "")
+      if (length(about$records) > 1L) paste0(", ", length(about$records), " records"), "\n")
   value <- ifelse(is.nan(x$standard_error), format_each(signif(x$value, 6)),
                   vapply(seq_along(x$value), function(i) {
                     if (is.nan(x$standard_error[i])) "" else
@@ -202,10 +201,10 @@ print.rot_fit <- function(x, ...) {
   if (length(fit$found$others)) {
     worse <- sum(fit$found$others > misfit_of(fit$found) + 0.5)
     say("  ", length(fit$found$others), " further starts, ", worse,
-        " end in other minima that fit worse\n", sep = "")
+        " end in other minima that fit worse\n")
   }
   say("  ", round(100 * about$level), " % intervals, condition ", format(numbers[3], digits = 2),
-      ", ", numbers[5], " steps, model ", fit$found$model, "\n", sep = "")
+      ", ", numbers[5], " steps, model ", fit$found$model, "\n")
   invisible(x)
 }
 

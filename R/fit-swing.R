@@ -498,7 +498,7 @@ print.rot_swing_fit <- function(x, ...) {
     "<rot_swing_fit> ", if (x$restoring == "gravity") "a pendulum" else "an oscillator", ", ",
     used, " free swings of ", nrow(x$swings), ", amplitudes ",
     paste(format_si(range(shown), 3), collapse = " to "),
-    " rad\n", sep = ""
+    " rad\n"
   )
   print_field("period", paste0(format(x$period_s), " s of small swings"))
   if (x$from == "fit") {

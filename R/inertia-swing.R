@@ -376,12 +376,12 @@ print.rot_inertia_measured <- function(x, ...) {
   check_form(unclass(x), inertia_measured_form, "x", "measured moment of inertia", call)
   if (!is.null(x$centre)) check_measured(x$centre, "x", call)
   say("I = ", format.rot_measured(x), " kg m^2\n  ", x$method, ", amplitude ",
-    format_si(x$amplitude_rad, 3), " rad\n", sep = "")
+    format_si(x$amplitude_rad, 3), " rad\n")
   if (!is.null(x$centre)) {
     say("about the centre of mass ", format.rot_measured(x$centre), " kg m^2\n", if (
       is.finite(x$amplification)) {
       paste0("  relative uncertainty ", format(x$amplification, digits = 2), " times that of I\n")
-    }, sep = "")
+    })
   }
   rows <- x$contributions[order(-abs(x$contributions$contribution)), ]
   if (nrow(rows)) {

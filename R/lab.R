@@ -219,8 +219,7 @@ print.rot_lab <- function(x, ...) {
   }
   title <- if (is.null(state$title)) "" else paste0(" ", escape_controls(state$title))
   say("<rot_lab>", title, "\n")
-  say("  ", what, if (!is.null(state$end)) paste0(", up to ", format_si(state$end), " s"), "\n",
-      sep = "")
+  say("  ", what, if (!is.null(state$end)) paste0(", up to ", format_si(state$end), " s"), "\n")
   say("  A file of it: lab(scene, \"lab.html\").\n")
   if (interactive()) show_page(format(x), current_env())
   invisible(x)

@@ -221,7 +221,7 @@ print.rot_measured <- function(x, ...) {
   check_measured(x, "x", current_env())
   say(x$name, " = ", format(x), if (is.finite(x$dof) && x$u > 0) {
     paste0("  (", format(x$dof, digits = 3), " degrees of freedom)")
-  }, "\n", sep = "")
+  }, "\n")
   invisible(x)
 }
 

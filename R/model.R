@@ -222,7 +222,7 @@ print.rot_model_choice <- function(x, ...) {
     names <- format(x$model[rest])
     say(strwrap_each(paste0("  ", names, "  ", x$reason[rest]), nchar(names[1]) + 4L), sep = "\n")
   }
-  if (length(named)) say("by name alone: ", paste(x$model[named], collapse = ", "), "\n", sep = "")
+  if (length(named)) say("by name alone: ", paste(x$model[named], collapse = ", "), "\n")
   invisible(x)
 }
 

@@ -158,7 +158,7 @@ print.rot_pooled_periods <- function(x, ...) {
   check_pooled_periods(x, "x", current_env())
   g <- x$groups
   say("period ", format(x$period_s), " s from ", sum(g$status == "used"), " of ", nrow(g),
-    " groups\n", sep = "")
+    " groups\n")
   print_field("between", paste0(
     format_si(x$between_s, 2), " s between groups, in the error of each; Birge ratio ",
     format(x$birge_ratio, digits = 2)
@@ -293,7 +293,7 @@ pivots_least_squares <- function(period, d, tu, du, g, used) {
 #' @export
 print.rot_pivots <- function(x, ...) {
   say("k^2 = ", format(x$gyration_square_m2), " m^2, g = ", format(x$gravity_m_per_s2),
-    " m/s^2\n", sep = "")
+    " m/s^2\n")
   for (k in which(x$pivots$status == "outlier")) {
     print_field("left out", paste0(
       "the pivot at ", format_si(x$pivots$distance_m[k], 4), " m: ",

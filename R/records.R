@@ -250,25 +250,25 @@ insert_sql <- function(rows, table) {
 print.rot_rerun <- function(x, ...) {
   say("<rot_rerun> ", x$verdict, "\n")
   say("  run      ", x$run, "\n")
-  say("  model    ", paste(unique(x$model), collapse = " then, now "), "\n", sep = "")
-  say("  rotdyn   ", paste(unique(x$versions), collapse = " then, now "), "\n", sep = "")
+  say("  model    ", paste(unique(x$model), collapse = " then, now "), "\n")
+  say("  rotdyn   ", paste(unique(x$versions), collapse = " then, now "), "\n")
   worst <- x$where[1L, ]
   if (x$verdict != "identical" && length(x$not_compared)) {
-    say("  unknown  ", paste(x$not_compared, collapse = ", "), ": no values are kept\n", sep = "")
+    say("  unknown  ", paste(x$not_compared, collapse = ", "), ": no values are kept\n")
   }
   for (name in names(x$texts)) {
     rows <- x$texts[[name]]
     say(
       "  text     ", name, " is another one in row", if (length(rows) > 1L) "s", " ",
       paste(rows[seq_len(min(6L, length(rows)))], collapse = ", "),
-      if (length(rows) > 6L) paste(" and", length(rows) - 6L, "more"), "\n", sep = ""
+      if (length(rows) > 6L) paste(" and", length(rows) - 6L, "more"), "\n"
     )
   }
   if (x$verdict != "identical" && nrow(x$where)) {
     say(
       "  most     ", worst$quantity, " in row ", worst$row, ": ", format(worst$then, digits = 17),
       " then, ", format(worst$now, digits = 17), " now; allowed ",
-      format(worst$allowed, digits = 2), "\n", sep = ""
+      format(worst$allowed, digits = 2), "\n"
     )
   }
   invisible(x)

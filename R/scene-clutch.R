@@ -100,8 +100,7 @@ print.rot_scene_clutch <- function(x, ...) {
     "  torque 1  ", describe_torque(x$torque[[1]] %||% torque_constant(0)), "\n",
     "  torque 2  ", describe_torque(x$torque[[2]] %||% torque_constant(0)), "\n",
     "  start     theta ", both(x$theta0_rad), " rad, omega ", both(x$omega0_rad_per_s),
-    " rad/s at ", format_si(x$start_s), " s\n",
-    sep = ""
+    " rad/s at ", format_si(x$start_s), " s\n"
   )
   invisible(x)
 }

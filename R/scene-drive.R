@@ -346,8 +346,7 @@ print.rot_scene_drive <- function(x, ...) {
         c("    resistance  ", describe_resistance(resistance), "\n")
       },
       if (!is.null(x$brake[[i]])) c("    brake       ", describe_friction(x$brake[[i]]), "\n"),
-      if (i < n) c("  ", describe_coupling(x$couplings[[i]]), "\n"),
-      sep = ""
+      if (i < n) c("  ", describe_coupling(x$couplings[[i]]), "\n")
     )
   }
   if (n > 8L) say("  ...\n")

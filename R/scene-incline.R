@@ -193,8 +193,7 @@ print.rot_scene_incline <- function(x, ...) {
     resistance_line(x),
     if (!is.null(x$force)) paste0("  force     ", describe_force(x$force), "\n"),
     "  start     v ", format_si(x$v0_m_per_s), " m/s, omega ", format_si(x$omega0_rad_per_s),
-    " rad/s at ", format_si(x$start_s), " s\n",
-    sep = ""
+    " rad/s at ", format_si(x$start_s), " s\n"
   )
   invisible(x)
 }

@@ -226,8 +226,7 @@ print.rot_scene_rotors <- function(x, ...) {
     list_of(x$resistance), " N m s outside\n",
     "  torque     ", list_of(x$torque), " N m\n",
     "  start      theta ", list_of(x$theta0_rad), " rad, omega ", list_of(x$omega0_rad_per_s),
-    " rad/s at ", format_si(x$start_s), " s\n",
-    sep = ""
+    " rad/s at ", format_si(x$start_s), " s\n"
   )
   invisible(x)
 }

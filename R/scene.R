@@ -170,8 +170,7 @@ print_axle <- function(x, title, inertia, torque = describe_torque(axle_torque(x
     "  resistance  ", describe_resistance(axle_resistance(x)), "\n",
     if (!is.null(gears)) c("  gears       ", gears, "\n"),
     "  start       theta ", format_si(x$theta0_rad), " rad, omega ",
-    format_si(x$omega0_rad_per_s), " rad/s at ", format_si(x$start_s), " s\n",
-    sep = ""
+    format_si(x$omega0_rad_per_s), " rad/s at ", format_si(x$start_s), " s\n"
   )
   invisible(x)
 }

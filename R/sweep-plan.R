@@ -536,7 +536,7 @@ print.rot_sweep_plan <- function(x, ...) {
   model <- if (is.null(x$model)) "the cheapest model of each row" else x$model
   say("<rot_sweep_plan> ", count(x$n), " rows, ", if (is.null(x$build)) {
     setdiff(names(x$node), "scene_format")[1]
-  } else "scenes of a function", ", ", model, "\n", sep = "")
+  } else "scenes of a function", ", ", model, "\n")
   fields <- c(
     inputs = paste(names(x$design$inputs), collapse = ", "),
     derived = paste(names(x$derived), collapse = ", "),

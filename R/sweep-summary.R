@@ -115,11 +115,10 @@ print.rot_sweep_summary <- function(x, ...) {
     share <- function(n) paste0(format(100 * n / about$n, digits = 2), " %")
     say("# ", count(about$n), " rows", if (about$kept < about$n) {
       paste0(", ", count(about$kept), " kept")
-    }, "\n", sep = "")
+    }, "\n")
     bad <- about$status[names(about$status) != "ok"]
     for (name in names(bad)) {
-      say("# not computed (", name, "): ", count(bad[[name]]), " rows, ", share(bad[[name]]), "\n",
-          sep = "")
+      say("# not computed (", name, "): ", count(bad[[name]]), " rows, ", share(bad[[name]]), "\n")
     }
     if (length(about$failed)) {
       first <- paste(whole_words(utils::head(about$failed, 5)), collapse = ", ")
@@ -129,11 +128,11 @@ print.rot_sweep_summary <- function(x, ...) {
       say("# error above ", format(about$accuracy), ": ", count(about$above), " rows, ",
           share(about$above), if (about$unknown > 0) {
             paste0(" (", count(about$unknown), " not known)")
-          }, "\n", sep = "")
+          }, "\n")
     }
     if (!is.nan(about$error)) {
       say("# largest error ", format(about$error, digits = 2), " (row ", count(about$error_row),
-          ")\n", sep = "")
+          ")\n")
     }
   }
   NextMethod()

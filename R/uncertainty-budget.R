@@ -349,8 +349,7 @@ print.rot_uncertainty_budget <- function(x, ...) {
       },
       "; ", format(100 * x$level), " % interval ",
       paste(format_si(x$interval[j, ], 6), collapse = " to "),
-      if (x$interval_from[[j]] == "draws") " (from draws: the formula's differs)", "\n",
-      sep = ""
+      if (x$interval_from[[j]] == "draws") " (from draws: the formula's differs)", "\n"
     )
     rows <- x$contributions[x$contributions$output == names(x$value)[j], ]
     rows <- rows[order(-abs(rows$contribution)), ]
@@ -361,7 +360,7 @@ print.rot_uncertainty_budget <- function(x, ...) {
         share = paste(round(100 * rows$share, 1), "%")
       )
       lines <- apply(rbind(colnames(shown), shown), 2, format, justify = "right")
-      say(paste0("  ", apply(lines, 1, paste, collapse = "  "), "\n"), sep = "")
+      say(paste0("  ", apply(lines, 1, paste, collapse = "  "), "\n"))
     }
   }
   if (several) {
@@ -370,14 +369,14 @@ print.rot_uncertainty_budget <- function(x, ...) {
     say("correlations: ", paste0(
       rownames(r)[pairs[, 1]], " ", colnames(r)[pairs[, 2]], " ", format(r[pairs], digits = 3),
       collapse = ", "
-    ), "\n", sep = "")
+    ), "\n")
   }
   if (!is.null(x$draws)) {
     say("draws: u = ", paste(format_si(x$draws$u, 4), collapse = ", "), if (all(x$draws$agrees)) {
       " (agrees)"
     } else {
       " (differs: the function is curved within the uncertainties)"
-    }, "\n", sep = "")
+    }, "\n")
   }
   invisible(x)
 }
