@@ -48,7 +48,7 @@ for (class in names(seconds)) {
     truth <- record$truth
     k <- ceiling(0.03 * record$n)
     end <- seq_len(record$n) <= k | seq_len(record$n) > record$n - k
-    omega <- within(truth$omega, motion, "omega", "rad/s")
+    omega <- within(truth$omega, motion, "omega", "rad_per_s")
     alpha <- within(truth$alpha, motion, "alpha", "rad_per_s2")
     held <- rbind(held, c(
       record$n, sum(omega), sum(alpha), sum(end), sum(omega[end]), sum(alpha[end])
