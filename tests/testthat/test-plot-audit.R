@@ -66,6 +66,9 @@ test_that("what is rounding is no bar", {
   )
   expect_equal(balance_bars(terms, "J", "energy")$term, c("work", "change"))
   expect_equal(balance_bars(terms, "J", "energy", 3)$to, 0)
+  # A small loss is one.
+  terms$value[2] <- 1e-11
+  expect_equal(balance_bars(terms, "J", "energy")$term, terms$term)
 })
 
 test_that("balances of nothing but rounding are named beside those with bars", {

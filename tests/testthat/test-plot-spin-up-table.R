@@ -37,6 +37,12 @@ test_that("names are across where no number varies, rows where nothing does", {
   expect_silent(ggplot2::ggplotGrob(plot))
 })
 
+test_that("what does not vary, or is across, has no colours", {
+  one <- spin_up_table(data.frame(moment_of_inertia_kg_m2 = 1:3, viscous_n_m_s = 0.1), 1, time_s = 2)
+  expect_identical(nlevels(ggplot2::autoplot(one)$data$key), 1L)
+  expect_false("0.1" %in% levels(ggplot2::autoplot(one)$data$key))
+})
+
 test_that("inclines show the heat of slipping where there is some", {
   rows <- data.frame(
     mass_kg = 2, radius_m = 0.1, beta = 0.4, incline_angle_deg = c(10, 40), static_friction = 0.2

@@ -52,6 +52,9 @@ test_that("swings of about the period are drawn, used or not; others only where 
   expect_equal(drawn(all), n)
   all$period0_s[2] <- 1.5 * all$period0_s[2]
   expect_equal(drawn(all), n - 1)
+  # Circles: full where used.
+  shapes <- lapply(ggplot2::ggplot_build(ggplot2::autoplot(fit))$data, function(x) x$shape)
+  expect_setequal(setdiff(unlist(shapes), 19), if (all(fit$swings$used)) 16 else c(1, 16))
   all$used[2] <- TRUE
   expect_equal(drawn(all), n)
 })

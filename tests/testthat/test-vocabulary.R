@@ -200,6 +200,9 @@ test_that("every export has one place in the reference index", {
   table <- reference_table()
   expect_setequal(table$name, getNamespaceExports("rotdyn"))
   expect_identical(anyDuplicated(table$name), 0L)
+  listed <- utils::read.csv(system.file("metadata", "reference.csv", package = "rotdyn"))
+  listed <- listed[!grepl("*", listed$functions, fixed = TRUE), ]
+  expect_identical(table$section[match(listed$functions, table$name)], listed$section)
   # In the help of the package: a line for each section, with a link to each function.
   lines <- strsplit(reference_index(), "\n", fixed = TRUE)[[1]]
   lines <- lines[startsWith(lines, "\\item{")]

@@ -145,7 +145,17 @@ static void many_rows(void) {
                          &info) == ROT_OK);
   ROT_CHECK(info.rows_done == ROWS);
   ROT_CHECK_REL(f[2][ROWS - 1], 1.75 * (ROWS - 1), 1e-15);
+  /* Spheres on slopes from 1 to 31 degrees: a = 5/7 g sin(angle). */
+  for (int i = 0; i < ROWS; i++) time_s[i] = 1.0 + i % 31;
+  const double beta = 0.4, radius = 0.1, gravity = 9.8, mu = 1.0, arm = 0.0, length = 1.0;
+  const rot_race_bodies bodies = {ROWS,     {&beta, 0}, {&radius, 0}, whole(time_s), {&gravity, 0},
+                                  {&mu, 0}, {&mu, 0},   {&arm, 0},    {&length, 0}};
+  const rot_race_columns columns = {f[0], f[1], f[2], f[3], finished, finished};
+  ROT_CHECK(rot_race_starts(&bodies, &columns, NULL, &info) == ROT_OK && info.rows_done == ROWS);
+  ROT_CHECK_REL(f[0][ROWS - 1], 7.0 * sin(time_s[ROWS - 1] * 0.017453292519943295), 1e-15);
   until = 0.0;
+  ROT_CHECK(rot_race_starts(&bodies, &columns, &hooks, &info) == ROT_EUNWIND);
+  ROT_CHECK(info.rows_done < ROWS);
   ROT_CHECK(rot_race_run(1, &acceleration, &angular, &finish_s, ROWS, time_s, &out, &hooks,
                          &info) == ROT_EUNWIND);
 }
