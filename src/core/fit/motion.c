@@ -295,7 +295,8 @@ static rot_status find_step(rot_fit_motion *m, size_t j, double low, double high
     m->up_step = step;
     if (change > 0.2 * target && change < 5.0 * target) return ROT_OK;
     if (*none && size > 1e6 * fmax(fabs(x), 1.0)) return ROT_OK;
-    if (fabs(step) < size && change < target) return ROT_OK; /* the domain ends */
+    const int cut = fabs(step) < size && (x + size > high || x - size < low);
+    if (cut && change < target) return ROT_OK; /* the domain ends */
     const double factor = change > 0.0 ? target / change : 1e3;
     size *= fmin(fmax(factor, 1e-3), 1e3);
   }

@@ -244,7 +244,8 @@ static void motions_of_a_caller(void) {
   rot_refusal no;
   ROT_CHECK(rot_fit_motion_open(&plan, &m, &no) == ROT_OK);
   ROT_CHECK(rot_fit_motion_at(m, x, 0.0, value, &error) == ROT_OK && error == 1e-15);
-  double size[3] = {0.0};
+  /* A first step within the rounding of the number grows. */
+  double size[3] = {1.1 * DBL_EPSILON * x[0]};
   for (size_t j = 0; j < 3; j++) {
     ROT_CHECK(rot_fit_motion_slope(m, j, -DBL_MAX, DBL_MAX, &size[j], slope) == ROT_OK);
     for (int i = 0; i < M; i++) {
