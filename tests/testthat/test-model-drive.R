@@ -790,3 +790,32 @@ test_that("a shaft drives a gear with losses: two masses in closed form", {
     expect_equal(second, 1 + k * twist / (reduced * rate) * sin(rate * time_s), tolerance = 1e-9)
   }
 })
+
+test_that("a run that is no better than the one before does not end the refinement", {
+  scene <- scene_drive(
+    c(35.73377654725153, 0.0048263451476713475, 13.948608812730683, 1.2543375684051687),
+    list(
+      coupling_clutch(0.736, ratio = 0.5), coupling_shaft(21300, ratio = -3),
+      coupling_clutch(2.32, ratio = 0.5)
+    ),
+    torque = list(
+      -3.37, torque_motor(1.86, 6.1), torque_motor(6.48, 6.3) + torque_constant(-1.8),
+      torque_motor(4.94, 3.3)
+    ),
+    resistance = list(
+      resistance(0.12), resistance(0.13), resistance(coulomb_n_m = 1), resistance()
+    ),
+    brake = list(NULL, NULL, NULL, brake(
+      torque_knots(c(8.79, 9.11, 9.28), c(4.4, 7.1, 3.9), outside = "hold"),
+      from_s = 6.16, to_s = 12.13
+    )),
+    theta0_rad = c(-0.36, 0.85, -0.92, 0.57), omega0_rad_per_s = c(0, 4.2, -2.9, -1.6),
+    start_s = 5
+  )
+  run <- trajectory(scene, seq(5, 15, 0.5), model = "drive_radau")
+  expect_lt(glance(run)$error, 2e-10) # 7.7e-8 after two runs
+  other <- trajectory(scene, seq(5, 15, 0.5), model = "drive_rk8pd")
+  errors <- trajectory_run(run)$info$errors + trajectory_run(other)$info$errors
+  expect_lt(max(abs(run$theta_rad - other$theta_rad)), errors[["theta"]])
+  expect_lt(max(abs(run$omega_rad_per_s - other$omega_rad_per_s)), errors[["omega"]])
+})

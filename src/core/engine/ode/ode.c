@@ -232,6 +232,7 @@ static void refine(rot_ode_job coarse, size_t parts, double tolerance, int stepw
   const rot_ode_output out = coarse.rows;
   const double first = coarse.tolerance;
   double last = INFINITY;
+  int stalls = 0; /* runs in succession without gain: at one, that before may have been the worse */
   for (int k = 0; k < MAX_RUNS; k++) {
     /* Not where the coarse run is kept: it may be a finer run than the first. */
     const size_t other = coarse.trace == traces[0];
@@ -255,11 +256,12 @@ static void refine(rot_ode_job coarse, size_t parts, double tolerance, int stepw
     int lost;
     const double worst =
         estimate(&coarse, &fine, info, fraction, scratch, out.error, &steps, &lost);
+    stalls = worst > 0.5 * last ? stalls + 1 : 0;
     if (coarse.probes) {
       rot_ode_probes_sift(coarse.probes, out.error);
       if (coarse.probes->n_sights) return; /* other steps are needed */
     }
-    if (info->status != ROT_OK || worst <= p->accuracy || fraction > 0.3 || worst > 0.5 * last ||
+    if (info->status != ROT_OK || worst <= p->accuracy || fraction > 0.3 || stalls == 2 ||
         steps < 0.5 * worst) {
       return;
     }
