@@ -294,3 +294,15 @@ test_that("columns of another number are refused by the C boundary", {
   expect_error(.Call(ffi_free_flips, c(1, 2, 3), three), "internal: no columns")
   expect_error(.Call(ffi_free_flips, three, c(1, 2, 3)), "internal: no columns")
 })
+
+test_that("rounding that two runs have in common counts as error", {
+  scene <- scene_free(
+    c(0x1.ec5efe23p-1, 0x1.29f5922ep-1, 0x1.7cb136cp-1),
+    c(0x1.213e2040e99f8p+0, 0x1.041ee00ebf0cfp+2, 0x1.63d458561196fp+2)
+  )
+  run <- trajectory(scene, 0x1.d2f86ac64f31ep+5, model = "free_rk8pd", accuracy = 1e-10)
+  # Taylor series of 34 digits
+  omega <- c(-3.38283439647076337, 6.260834241910560345, -0.10956488032242905)
+  error <- max(abs(c(run$omega_x_rad_per_s, run$omega_y_rad_per_s, run$omega_z_rad_per_s) - omega))
+  expect_lt(error, trajectory_run(run)$info$errors[["omega"]])
+})
