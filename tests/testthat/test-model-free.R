@@ -306,3 +306,15 @@ test_that("rounding that two runs have in common counts as error", {
   error <- max(abs(c(run$omega_x_rad_per_s, run$omega_y_rad_per_s, run$omega_z_rad_per_s) - omega))
   expect_lt(error, trajectory_run(run)$info$errors[["omega"]])
 })
+
+test_that("a body that hangs in equilibrium within rounding stays there", {
+  scene <- scene_pivot(
+    c(1, 1.2, 0.5), c(0, 0, 0),
+    mass_kg = 1, centre_m = c(0.06, 0, -0.08),
+    attitude0 = rotation_about("y", angle_rad = atan2(0.06, 0.08))
+  )
+  run <- expect_silent(trajectory(scene, c(0, 1, 1e6)))
+  expect_lt(glance(run)$error, 1e-14)
+  expect_identical(run$qw, rep(run$qw[1], 3))
+  expect_identical(run$omega_y_rad_per_s, c(0, 0, 0))
+})

@@ -24,6 +24,7 @@ typedef struct motion {
   double q0[4];     /* attitude of the principal axes at the start */
   double omega0[3]; /* principal axes */
   int middle;       /* axis of the middle moment */
+  int hangs;        /* see hangs() */
   rot_events seen;  /* valid events of all runs */
 } motion;
 
@@ -55,6 +56,10 @@ static rot_status rhs(double t, const double y[], double f[], void *ctx) {
   const motion *m = ctx;
   const double *l = y + MOMENTUM, damping = m->p->damping_per_s;
   double q[4], w[3], torque[3], space[3];
+  if (m->hangs) {
+    memset(f, 0, m->dim * sizeof *f);
+    return ROT_OK;
+  }
   attitude_of(m, y, q);
   omega_of(m, y, w);
   const rot_status status = rot_free_torque(m->p, t, w, q, 1, torque);
@@ -383,6 +388,24 @@ static int stays(motion *m) {
   return sum == 0.0;
 }
 
+/* At rest, under its weight alone, within 4 roundings of the stable equilibrium: it swings by no
+ * more than the error of its attitude. */
+static int hangs(const motion *m) {
+  const rot_free_params *p = m->p;
+  const double *g = p->lever_n_m;
+  const double none[3] = {0.0, 0.0, 0.0}, up[3] = {0.0, 0.0, 1.0};
+  double torque[3], z[3];
+  if (p->law || p->n_knots || m->rotors.n) return 0;
+  for (int k = 0; k < 3; k++) {
+    if (m->omega0[k] != 0.0 || p->torque[k] != 0.0) return 0;
+  }
+  if (rot_free_torque(p, p->start_s, none, m->q0, 1, torque) != ROT_OK) return 0;
+  rot_attitude_to_body(m->q0, up, z);
+  return g[0] * z[0] + g[1] * z[1] + g[2] * z[2] < 0.0 &&
+         hypot(hypot(torque[0], torque[1]), torque[2]) <=
+             4.0 * ROT_EPS * hypot(hypot(g[0], g[1]), g[2]);
+}
+
 /* Events of a run. A body released at a turning point has an event at the start, as in closed
  * form. */
 static rot_status give_events(motion *m, const rot_events *log, rot_events *events) {
@@ -425,6 +448,7 @@ rot_status rot_free_integrate(const rot_free_params *p, const rot_free_ode_optio
   run result = {.y = y}, finer = {.y = y + room};
   if (!y) return info->status = ROT_ENOMEM;
   rot_free_principal(p, m.omega0, m.q0);
+  m.hangs = hangs(&m);
   rot_status status = run_twice(&m, options, n, time_s, hooks, &result, &finer);
   *info = result.info;
   if (status == ROT_ERHS && (p->law || p->motors)) status = ROT_ETORQUE;
