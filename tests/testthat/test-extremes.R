@@ -276,6 +276,21 @@ test_that("a top's rates and a curve's sizes beyond double precision are named",
     class = "rotdyn_warning_range"
   )
   expect_silent(wheel(spin_rad_per_s = 20, gravity_m_per_s2 = 0))
+  top <- function(spin, angle) {
+    precession_table(data.frame(
+      mass_kg = 1, lever_arm_m = 0.1, moment_of_inertia_kg_m2 = 0.5,
+      transverse_moment_kg_m2 = 1, spin_rad_per_s = spin, axis_angle_deg = angle
+    ))
+  }
+  # A fast top's axis moves in proportion to its angle.
+  small <- top(10, c(1e-10, 1e-80, 1e-160))
+  expect_equal(small$mean_precession_rad_per_s, rep(small$mean_precession_rad_per_s[1], 3))
+  expect_equal(
+    small$lowest_angle_deg / c(1e-10, 1e-80, 1e-160), rep(small$lowest_angle_deg[1] / 1e-10, 3)
+  )
+  # A slow one is a pendulum: it passes the bottom, half a turn on, in each period.
+  slow <- top(c(1e-160, -1e-160), 30)
+  expect_equal(slow$mean_precession_rad_per_s * slow$nutation_period_s, c(pi, -pi))
   bowl <- function(a, to = 2, ...) {
     summary(roll_on_curve(function(x) a * (x - 2)^2, 0, to, v0_m_per_s = 1, rows = 3, ...))
   }

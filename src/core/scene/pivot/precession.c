@@ -16,26 +16,37 @@ static double formula_error(double i1, double weight, double cosine, double mome
   return fabs(x / (1.0 + x));
 }
 
+/* Limits within rounding: of a top whose spin does not act; of one whose axis moves in proportion
+ * to its angle. */
+#define SLOW      1e-30
+#define SMALL_DEG 1e-20
+
 /* A vertical top stays; its period is that of a small nutation. A hanging one is computed as an
  * upright one whose axis, spin and lever are reversed, with the same rates. */
 static void release(const rot_precession_input *in, double weight, int vertical,
                     rot_precession *out) {
   const double flip = vertical && in->angle_deg > 90.0 ? -1.0 : 1.0;
-  const double theta = vertical ? 0.0 : in->angle_deg * (pi / 180.0);
+  const double i1 = in->transverse_kg_m2, pendulum = sqrt(fabs(weight) / i1);
+  const double spin = copysign(fmax(fabs(in->spin_rad_per_s), SLOW * pendulum), in->spin_rad_per_s);
+  const double nutation = in->axial_kg_m2 * fabs(spin) / i1; /* of a fast top */
+  const int sleeps = weight < 0.0 || nutation > 2.0 * pendulum;
+  const int small = sleeps && in->angle_deg < SMALL_DEG;
+  const double angle_deg = small ? SMALL_DEG : in->angle_deg;
+  const double theta = vertical ? 0.0 : angle_deg * (pi / 180.0);
   rot_top_start start;
   rot_top_motion motion;
-  rot_top_from_euler(0.0, theta, 0.0, 0.0, 0.0, flip * in->spin_rad_per_s, &start);
-  const rot_status status =
-      rot_top_begin(in->transverse_kg_m2, in->axial_kg_m2, flip * weight, &start, 0.0, &motion);
+  rot_top_from_euler(0.0, theta, 0.0, 0.0, 0.0, flip * spin, &start);
+  const rot_status status = rot_top_begin(i1, in->axial_kg_m2, flip * weight, &start, 0.0, &motion);
   if (status == ROT_ERANGE) { /* limits for a fast spin */
-    out->nutation_s = 2.0 * pi / fabs(in->spin_rad_per_s) / in->axial_kg_m2 * in->transverse_kg_m2;
+    out->nutation_s = 2.0 * pi / fabs(in->spin_rad_per_s) / in->axial_kg_m2 * i1;
     out->lowest_deg = in->angle_deg;
     out->mean_rad_per_s = out->rate_rad_per_s;
   }
   if (status != ROT_OK) return;
   const rot_top_nutation n = rot_top_nutates(&motion);
   out->nutation_s = n.period_s;
-  out->lowest_deg = vertical ? in->angle_deg : n.lowest_rad * (180.0 / pi);
+  out->lowest_deg =
+      vertical ? in->angle_deg : n.lowest_rad * (180.0 / pi) * (in->angle_deg / angle_deg);
   out->mean_rad_per_s = n.precession_rad_per_s;
 }
 
