@@ -819,3 +819,13 @@ test_that("a run that is no better than the one before does not end the refineme
   expect_lt(max(abs(run$theta_rad - other$theta_rad)), errors[["theta"]])
   expect_lt(max(abs(run$omega_rad_per_s - other$omega_rad_per_s)), errors[["omega"]])
 })
+
+test_that("a clutch that a sinusoid drives for ever ends far before its budget", {
+  scene <- scene_drive(
+    c(1, 2), list(coupling_clutch(3)),
+    torque = list(torque_sinusoid(2, 1), NULL), omega0_rad_per_s = c(1, 0)
+  )
+  error <- expect_error(trajectory(scene, c(0, 1, 1e80)), class = "rotdyn_error_budget")
+  at_s <- as.double(sub(".*failed at ([0-9.e+]+) s.*", "\\1", conditionMessage(error)))
+  expect_lt(at_s, 1e5) # 5e5 where the budget ends
+})

@@ -484,6 +484,23 @@ static size_t list_events(const motion *m, rot_ode_event event[]) {
   return n;
 }
 
+/* A sinusoidal torque acts for ever; neither friction against the ground nor a self-locking gear
+ * may hold it. */
+static int never_rests(const rot_drive_scene *scene) {
+  int driven = 0;
+  for (size_t i = 0; i < scene->n; i++) {
+    const rot_axle_scene *rotor = &scene->rotor[i];
+    if (rotor->coulomb_n_m != 0.0 || rotor->static_n_m != 0.0 || scene->brake[i].acts) return 0;
+    if (i + 1 < scene->n && rot_drive_mesh_loses(&scene->coupling[i])) return 0;
+    for (size_t k = 0; k < rotor->n_terms; k++) {
+      const rot_term *term = &rotor->terms[k];
+      driven |= term->kind == ROT_TERM_SINUSOID && term->x[0] != 0.0 && term->x[1] != 0.0 &&
+                term->to_s == INFINITY;
+    }
+  }
+  return driven;
+}
+
 /* => rot_ode_params.fades_s: without friction that may hold, with linear losses */
 static double fades_s_of(const motion *m) {
   const rot_drive_scene *scene = m->s.scene;
@@ -494,6 +511,7 @@ static double fades_s_of(const motion *m) {
                rotor->static_n_m != 0.0 || scene->brake[i].acts;
   }
   rot_time_scales time_scales;
+  if (never_rests(scene)) return INFINITY;
   rot_drive_time_scales_of_start(scene, &time_scales);
   return unknown ? 0.0 : time_scales.fades_s;
 }
