@@ -935,7 +935,8 @@ fit_circle <- function(x, y) {
 
 # The step of which 99 % of the differences are multiples, or NA. A twentieth of the step is the
 # tolerance, so that chance agrees in 10 %, and the rounding of numbers printed with few digits
-# passes.
+# passes. Of a counter that moves by many counts between samples no difference is one count: there
+# the differences of differences are.
 find_resolution <- function(x, segment) {
   step <- abs(diff(x)[diff(segment) == 0])
   step <- step[is.finite(step)]
@@ -948,20 +949,34 @@ find_resolution <- function(x, segment) {
     return(if (all(abs(counts - round(counts)) < 0.05)) min(step) else NA_real_)
   }
   if (length(step) < 8L) return(NA_real_)
-  smallest <- min(step)
+  gap <- diff(sort(step))
+  gap <- gap[gap > 4 * rounding]
   for (parts in 1:6) {
-    unit <- smallest / parts
+    unit <- min(step) / parts
     if (unit < 4 * rounding) break
-    turns <- step / unit
-    off <- abs(turns - round(turns))
-    if (mean(off < 0.05) >= 0.99) {
-      # Refined by all differences that are multiples.
-      fits <- off < 0.05
-      unit <- sum(step[fits] * round(turns[fits])) / sum(round(turns[fits])^2)
-      return(if (length(unique(round(turns[fits]))) > 1L || parts == 1L) unit else NA_real_)
-    }
+    found <- step_of_multiples(step, unit)
+    if (is.na(found)) next
+    if (length(unique(round(step / found))) > 1L) return(found)
+    # Differences that are all alike may be those of a steady motion.
+    if (parts == 1L && (rests > 0L || !length(gap))) return(found)
+    break
   }
-  NA_real_
+  if (!length(gap) || !is_limited_by(x, segment, min(gap))) return(NA_real_)
+  step_of_multiples(step, min(gap))
+}
+
+# A unit of which 99 % of the steps are multiples, refined by them; or NA.
+step_of_multiples <- function(step, unit) {
+  turns <- step / unit
+  fits <- abs(turns - round(turns)) < 0.05
+  if (mean(fits) < 0.99) return(NA_real_)
+  sum(step[fits] * round(turns[fits])) / sum(round(turns[fits])^2)
+}
+
+# Is the noise, by third differences (sqrt(20) times its s.d.), at most five times that of counts?
+is_limited_by <- function(x, segment, unit) {
+  third <- abs(diff(x, differences = 3)[diff(segment, 3) == 0])
+  isTRUE(stats::median(third, na.rm = TRUE) < 0.6745 * 5 * sqrt(20 / 12) * unit)
 }
 
 # Squares, products and quotients of times and values must be numbers, too.

@@ -130,6 +130,20 @@ test_that("resolution: encoders, floors, few digits, none", {
   expect_equal(info_of(x)$resolution[["theta_rad"]], 1e-2, tolerance = 1e-9)
 })
 
+test_that("a counter that moves by many counts between samples has its resolution", {
+  quantum <- 2 * pi / 2400
+  n <- 0:200
+  for (counts in c(13, 14.3, 20, 25.4, 200)) {
+    for (turned in list(counts * n * (1 + 3e-4 * n), 50 * counts * sin(n / 50))) {
+      found <- rotdyn:::find_resolution(quantum * round(turned), rep(1, 201))
+      expect_equal(found, quantum, tolerance = 1e-9)
+    }
+  }
+  # A steady rate with noise of some percent of what it turns between samples is no counter.
+  set.seed(1)
+  expect_identical(rotdyn:::find_resolution(0.1 * n + rnorm(201, 0, 1e-3), rep(1, 201)), NA_real_)
+})
+
 test_that("rates about three axes: one by name, the principal one, and its refusal", {
   t <- 0:200 / 100
   w <- 5 * exp(-t)
