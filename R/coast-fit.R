@@ -23,8 +23,9 @@ coast_units <- list(
 #' The exact solution and its exact derivatives are fitted by least squares (Gauss-Newton steps in a
 #' trust region). The noise of the residuals is white, or white and an Ornstein-Uhlenbeck process,
 #' whose correlation time and share are found by restricted likelihood (REML); standard errors are
-#' those of the noise found. A correlation time is at most a tenth of the run: longer waves of the
-#' residuals are no noise but a law that does not fit, and the print says so.
+#' those of the noise found. Where the size of white noise grows or falls over a run, samples weigh
+#' by it. A correlation time is at most a tenth of the run: longer waves of the residuals are no
+#' noise but a law that does not fit, and the print says so.
 #'
 #' **Intervals** are those of the fit with every loss asked for, without bounds, cut at 0; the value
 #'   is the best one with no loss below 0. So the interval of a loss that is 0 begins at 0, and its
@@ -273,14 +274,38 @@ fit_run <- function(run, at, losses, load, inertia, runout, noise, call) {
     step_ratio = as.double(load$pieces$torque_n_m[-1] / (inertia$value %||% 1))
   )
   out <- .Call(ffi_coast_fit, problem, 1)
-  shown <- c(out$p, out$covariance, out$bounded)
-  if (out$numbers[1] != 0 || !all(is.finite(shown))) {
+  if (!is_fitted_run(out)) {
     abort_rotdyn(c(
       "No coast-down fits run {run$name}.",
       i = "Leave out the rows in which the body is pushed, held or braked."
     ), "range", call)
   }
-  c(run, unpack_run(out, problem), list(speeds = speeds))
+  c(run, run_with_growing_noise(problem, out), list(speeds = speeds))
+}
+
+is_fitted_run <- function(out) {
+  out$numbers[1] == 0 && all(is.finite(c(out$p, out$covariance, out$bounded)))
+}
+
+# The run with weights for a noise whose s.d. grows or falls over it, as in fit_scene(): `trend`,
+# its factor from the first sample to the last. Slow noise that does so, with the weights, too, may
+# be a law that does not fit: it is said, and no sample weighs less.
+run_with_growing_noise <- function(problem, out) {
+  t <- problem$time_s
+  y <- if (problem$kind == 2) t else problem$value
+  trend <- 1
+  for (round in 1:4) {
+    slope <- trend_of(t, out$white, y - out$residual, y)
+    if (slope == 0) break
+    more <- problem
+    more$weight <- exp(slope * (t - mean(t))) * (problem$weight %||% 1)
+    trend <- more$weight[length(t)] / more$weight[1]
+    again <- .Call(ffi_coast_fit, more, 1)
+    if (!is_fitted_run(again) || again$numbers[2] > 0) break
+    problem <- more
+    out <- again
+  }
+  c(unpack_run(out, problem), list(trend = trend))
 }
 
 # The parts of a fit in C, by name.
@@ -298,19 +323,28 @@ unpack_run <- function(out, problem) {
   )
 }
 
-# Degrees of freedom. Of the slow part of the noise a run of length T has as many independent
-# samples as its mean would show, T/(2 tau) (Bayley and Hammersley, J. R. Stat. Soc. B 8, 184,
-# 1946); the two parts are weighed by their power at low frequency. With n - p instead the intervals
-# cover 1 to 2 % less (bench/measurement/coast.R, AR(1) 0.9 and half slow noise).
-coast_dof <- function(time_s, numbers) {
-  n <- length(time_s)
-  tau <- numbers[["tau_s"]]
-  if (tau > 0 && numbers[["white"]] < 1) {
-    span <- time_s[n] - time_s[1]
-    slow <- (1 - numbers[["white"]]) * 2 * tau
-    share <- slow / (slow + numbers[["white"]] * span / (n - 1))
-    n <- 1 / (share^2 * 2 * tau / span + (1 - share)^2 / n)
+# Degrees of freedom of n samples over a time, by their noise. Of the slow part of the noise a run
+# of length T has as many independent samples as its mean would show, T/(2 tau) (Bayley and
+# Hammersley, J. R. Stat. Soc. B 8, 184, 1946); the two parts are weighed by their power at low
+# frequency. With n - p instead the intervals cover 1 to 2 % less (bench/measurement/coast.R, AR(1)
+# 0.9 and half slow noise). Of anticorrelated noise the power at low frequency is a small
+# difference: where it is (1 - a)^2/(1 + a^2) of the variance, as of e_i - a e_(i-1), its error is
+# that of n (1 - a)/(2 (1 + a)) squares (Brockwell and Davis, Time Series, 1991, example 8.8.1).
+noise_dof <- function(n, span, tau, white) {
+  if (!(tau > 0) || white == 1 || n < 2) return(n)
+  if (white > 1) {
+    power <- max(white - (white - 1) / tanh(span / (n - 1) / (2 * tau)), 0)
+    return(n / 2 * sqrt(power / (2 - power)))
   }
+  slow <- (1 - white) * 2 * tau
+  part <- slow / (slow + white * span / (n - 1))
+  1 / (part^2 * 2 * tau / span + (1 - part)^2 / n)
+}
+
+coast_dof <- function(time_s, numbers) {
+  n <- noise_dof(
+    length(time_s), diff(range(time_s)), numbers[["tau_s"]], numbers[["white"]]
+  )
   max(n - numbers[["free"]], 2)
 }
 

@@ -13,6 +13,7 @@ coast_form <- list(
     kind = "number", time_s = "sorted", value = "numbers=time_s", name = "text", p = "numbers:11",
     covariance = "numbers:121", factor = "numbers:121", best = "numbers:11",
     numbers = "values:15", residual = "numbers=time_s", dof = "number",
+    trend = "number",
     problem = list(
       kind = "number", time_s = "sorted", value = "numbers=time_s", fitted = "numbers:11",
       start = "numbers:11", load = "numbers:3", noise = "numbers:2", threshold = "limit",

@@ -122,6 +122,7 @@ coast_words <- function(x, fit) {
   sigma <- max(vapply(fit$runs, function(run) run$numbers[["sigma"]], 0))
   tau <- vapply(fit$runs, function(run) run$numbers[["tau_s"]], 0)
   longest <- which.max(tau)
+  trend <- vapply(fit$runs, `[[`, 1, "trend")
   slow <- 1 - fit$runs[[longest]]$numbers[["white"]]
   middle <- mean(range)
   torque <- retarding_torque(x, middle)
@@ -153,6 +154,10 @@ coast_words <- function(x, fit) {
         )
       } else {
         ", white"
+      },
+      if (any(trend != 1)) {
+        paste0(", ", format(trend[which.max(abs(log(trend)))], digits = 2),
+               " times as large at the end")
       }
     ),
     vapply(coast_findings(fit), function(text) {
@@ -166,7 +171,16 @@ coast_findings <- function(fit) {
   p <- vapply(fit$runs, runout_p, 0)
   uneven <- which(p < 0.01)
   watson <- min(vapply(fit$runs, function(run) durbin_watson(run$residual), 0))
+  unweighed <- any(vapply(fit$runs, function(run) {
+    run$trend != 1 && is.null(run$problem$weight)
+  }, NA))
   c(
+    if (unweighed) {
+      paste(
+        "Correlated noise grows or falls over the run, and samples do not weigh by it: the",
+        "intervals may not hold."
+      )
+    },
     if (are_alike(fit, watson)) {
       paste0(
         "Neighbouring residuals are alike (Durbin-Watson ", format(watson, digits = 2),

@@ -38,15 +38,17 @@ SEXP ffi_coast_rows(SEXP list, SEXP parameters, SEXP start, SEXP times) {
 /* => unbounded fit, then fit with losses >= 0. `search`: 1 to estimate the noise, 0 to use that of
  * the list. */
 SEXP ffi_coast_fit(SEXP list, SEXP search) {
-  static const char *const names[] = {
-      "p", "covariance", "numbers", "bounded", "bounded_numbers", "residual", "factor", ""};
+  static const char *const names[] = {"p",       "covariance",      "numbers",
+                                      "bounded", "bounded_numbers", "residual",
+                                      "factor",  "white",           ""};
   rot_coast_record record;
   SEXP times = ffi_element(list, "time_s");
   const R_xlen_t n = XLENGTH(times);
   const double *wanted = ffi_numbers_of(list, "fitted", ALL);
   const double *noise = ffi_numbers_of(list, "noise", 2);
   int fitted[ALL], at_bound[3];
-  double *residual = (double *)R_alloc((size_t)n + 1, sizeof *residual);
+  double *residual = (double *)R_alloc((size_t)(2 * n) + 1, sizeof *residual);
+  SEXP weight = ffi_element(list, "weight");
   rot_coast_fit fit, bounded;
   ffi_guard guard;
   memset(&fit, 0, sizeof fit);
@@ -55,15 +57,16 @@ SEXP ffi_coast_fit(SEXP list, SEXP search) {
   record.t = ffi_reals(times, "time_s", -1);
   record.y = ffi_numbers_of(list, "value", n);
   record.load = read_load(list);
+  record.weight = Rf_isNull(weight) ? NULL : ffi_reals(weight, "weight", n);
   memcpy(fit.p, ffi_numbers_of(list, "start", ALL), sizeof fit.p);
   for (int i = 0; i < ALL; i++) fitted[i] = wanted[i] > 0.0;
   fit.reml.noise = (rot_noise){noise[0], noise[1]};
   const double threshold = ffi_number_of(list, "threshold");
   const int searches = ffi_real(search, "search") > 0.0;
   ffi_guard_begin(&guard, R_NilValue);
-  rot_status status =
-      searches ? rot_coast_fit_noise(&record, fitted, threshold, &guard.hooks, &fit, residual)
-               : rot_coast_solve(&record, fitted, &guard.hooks, &fit);
+  rot_status status = searches ? rot_coast_fit_noise(&record, fitted, threshold, &guard.hooks, &fit,
+                                                     residual, residual + n)
+                               : rot_coast_solve(&record, fitted, &guard.hooks, &fit);
   bounded = fit;
   if (status == ROT_OK) {
     status = rot_coast_bound(&record, fitted, &guard.hooks, &bounded, at_bound);
@@ -92,6 +95,7 @@ SEXP ffi_coast_fit(SEXP list, SEXP search) {
                               {ALL, bounded.p},
                               {2, other},
                               {searches && status == ROT_OK ? (int)n : 0, residual},
-                              {ALL * ALL, fit.factor[0]}};
-  return ffi_vectors(7, names, parts);
+                              {ALL * ALL, fit.factor[0]},
+                              {searches && status == ROT_OK ? (int)n : 0, residual + n}};
+  return ffi_vectors(8, names, parts);
 }

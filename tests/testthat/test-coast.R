@@ -549,3 +549,47 @@ test_that("a record of one rate does not slow down", {
   even$omega_rad_per_s <- 0
   expect_error(fit_coast_down(even, 0.02), "is at rest", class = "rotdyn_error_value")
 })
+
+test_that("noise that grows over a run: samples weigh by it", {
+  law <- c(0.5, 0.06, 0.003)
+  time_s <- seq(0, 8, length.out = 200)
+  angles <- function(p) {
+    wheel <- scene_axle(1, NULL, resistance(p[2], p[3], p[1]), omega0_rad_per_s = p[4])
+    p[5] + trajectory(wheel, time_s)$theta_rad
+  }
+  sd_rad <- 0.002 * 8^(time_s / 8)
+  p <- c(law, 20, 0)
+  slopes <- vapply(1:5, function(k) {
+    h <- 1e-5 * (seq_along(p) == k)
+    (angles(p + h) - angles(p - h)) / 2e-5
+  }, time_s)
+  expected <- sqrt(diag(solve(crossprod(slopes / sd_rad))))[1:3]
+  set.seed(3)
+  record <- data.frame(time_s, theta_rad = angles(p) + rnorm(200, 0, sd_rad))
+  fit <- fit_coast_down(record)
+  expect_equal(fit$standard_error / expected, rep(1, 3), tolerance = 0.15)
+  expect_true(all(abs(fit$value - law) < 3 * fit$standard_error))
+  expect_output(print(fit), "times as large at the end")
+  # Noise that does not grow has no weights.
+  record$theta_rad <- angles(p) + rnorm(200, 0, 0.002)
+  even <- attr(fit_coast_down(record), "fit")
+  expect_null(even$runs[[1]]$problem$weight)
+  # Correlated noise that grows is said.
+  slow <- stats::filter(rnorm(200), 0.8, "recursive")
+  record$theta_rad <- angles(p) + sd_rad * as.vector(slow)
+  slow <- fit_coast_down(record)
+  expect_null(attr(slow, "fit")$runs[[1]]$problem$weight)
+  expect_output(print(slow), "Correlated noise grows or falls")
+})
+
+test_that("anticorrelated noise has fewer degrees of freedom than samples", {
+  # e_i - a e_(i-1) has the correlation -a/(1 + a^2) of neighbours and none of others: the
+  # coefficient has the variance (1 - a^2)/n, and the power at frequency 0 goes as (1 - a)^2.
+  a <- 0.5
+  n <- 400
+  decay <- 1e-6
+  tau <- -0.02 / log(decay)
+  dof <- rotdyn:::noise_dof(n, 0.02 * (n - 1), tau, 1 + a / (1 + a^2) / decay)
+  expect_equal(dof, 2 * ((1 - a) / (2 * sqrt((1 - a^2) / n)))^2, tolerance = 1e-4)
+  expect_identical(rotdyn:::noise_dof(n, 8, 0, 1), n)
+})

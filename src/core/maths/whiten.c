@@ -108,7 +108,7 @@ static double deviance(problem *q, const rot_noise *noise) {
 /* Coordinates: log tau, log(f/(1 - f)). f is the white fraction; of anticorrelated noise 1 -
  * 1/white over its limit (1 - rho)/(1 + rho), at which the power at frequency 0 vanishes. A penalty
  * beyond their ends keeps the minimum inside. */
-static const double LOGIT_END = 9.0, ANTI_END = 3.0;
+static const double LOGIT_END = 9.0, ANTI_END = 2.5;
 
 /* => limit of 1 - 1/white of anticorrelated noise */
 static double anti_limit(const problem *q, double tau) { return tanh(0.5 * q->spacing / tau); }

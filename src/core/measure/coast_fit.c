@@ -108,6 +108,17 @@ static rot_status rows_of(work *w, int derivatives) {
                         derivatives ? w->d_theta : NULL, derivatives ? w->d_omega : NULL);
 }
 
+static void weigh(const work *w, size_t columns, double x[]) {
+  const rot_coast_record *c = w->record;
+  for (size_t i = 0; c->weight && i < c->n * columns; i++) x[i] /= c->weight[i / columns];
+}
+
+/* Rows of samples by their weights, without the correlation of the noise. */
+static rot_status whiten(const work *w, size_t columns, double x[]) {
+  weigh(w, columns, x);
+  return rot_whiten(w->noise, w->record->n, w->record->t, columns, x, NULL);
+}
+
 /* w->p => residuals and Jacobian, not whitened */
 static rot_status linearise(work *w) {
   const rot_status status = rows_of(w, 1);
@@ -132,7 +143,7 @@ static rot_status call_residual(const double x[], double r[], void *ctx) {
   const rot_status status = rows_of(w, 0);
   const int uneven = is_uneven(w);
   for (size_t i = 0; i < n && status == ROT_OK; i++) r[i] = residual_at(w, i, uneven, NULL);
-  return status == ROT_OK ? rot_whiten(w->noise, n, w->record->t, 1, r, NULL) : status;
+  return status == ROT_OK ? whiten(w, 1, r) : status;
 }
 
 static rot_status call_jacobian(const double x[], double j[], void *ctx) {
@@ -140,7 +151,7 @@ static rot_status call_jacobian(const double x[], double j[], void *ctx) {
   const size_t n = w->record->n, m = w->columns;
   take(w, x);
   rot_status status = linearise(w);
-  if (status == ROT_OK) status = rot_whiten(w->noise, n, w->record->t, m, w->j, NULL);
+  if (status == ROT_OK) status = whiten(w, m, w->j);
   if (status == ROT_OK) memcpy(j, w->j, n * m * sizeof *j);
   return status;
 }
@@ -211,8 +222,8 @@ static void test_runout(work *w, const int fitted[], rot_coast_fit *fit) {
     return;
   }
   const size_t m = all.columns;
-  if (linearise(&all) == ROT_OK && rot_whiten(all.noise, n, record->t, m, all.j, NULL) == ROT_OK &&
-      rot_whiten(all.noise, n, record->t, 1, all.r, NULL) == ROT_OK) {
+  if (linearise(&all) == ROT_OK && whiten(&all, m, all.j) == ROT_OK &&
+      whiten(&all, 1, all.r) == ROT_OK) {
     /* Gram-Schmidt: sums of squares explained by each column in turn. */
     double explained = 0.0, rest = 0.0, coefficient[ALL] = {0}, r[ALL][ALL] = {{0}};
     double size[ALL] = {0};
@@ -272,7 +283,7 @@ static int settled(const rot_noise *a, const rot_noise *b) {
 
 rot_status rot_coast_fit_noise(const rot_coast_record *record, const int fitted[ROT_COAST_ALL],
                                double threshold, const rot_hooks *hooks, rot_coast_fit *fit,
-                               double residual[]) {
+                               double residual[], double white[]) {
   work w;
   const size_t n = record->n;
   const double cap = n > 1 ? 0.1 * (record->t[n - 1] - record->t[0]) : 0.0;
@@ -289,6 +300,8 @@ rot_status rot_coast_fit_noise(const rot_coast_record *record, const int fitted[
     /* Residuals at rounding level: the noise is undetermined. */
     if (status != ROT_OK || fit->sigma <= 4.0 * rounding) break;
     const rot_reml last = fit->reml;
+    weigh(&w, 1, w.r);
+    weigh(&w, w.columns, w.j);
     status = rot_whiten_reml(n, record->t, w.columns, w.j, w.r, cap, threshold,
                              last.noise.tau_s > 0.0 ? &last.noise : NULL, hooks, &fit->reml);
     if (status != ROT_OK || settled(&last.noise, &fit->reml.noise)) break;
@@ -300,6 +313,8 @@ rot_status rot_coast_fit_noise(const rot_coast_record *record, const int fitted[
   }
   if (status == ROT_OK) {
     for (size_t i = 0; residual && i < n; i++) residual[i] = -w.r[i];
+    status = whiten(&w, 1, w.r);
+    for (size_t i = 0; white && i < n; i++) white[i] = -w.r[i] / fit->sigma;
     test_runout(&w, fitted, fit);
   }
   free(w.memory);

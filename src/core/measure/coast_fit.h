@@ -22,6 +22,7 @@ typedef struct rot_coast_record {
   const double *t; /* s; the first is the start of the motion */
   const double *y; /* angles, rates, or the angles of pulses at the times t */
   rot_coast_load load;
+  const double *weight; /* n: s.d. of each sample in those of the noise, > 0; NULL: 1 */
 } rot_coast_record;
 
 typedef struct rot_coast_fit {
@@ -44,10 +45,11 @@ typedef struct rot_coast_fit {
 rot_status rot_coast_solve(const rot_coast_record *record, const int fitted[ROT_COAST_ALL],
                            const rot_hooks *hooks, rot_coast_fit *fit);
 /* The same with the noise estimated in rounds of REML, and the F statistic of the runout.
- * `residual`: NULL, or n numbers, data minus model in the units of sigma. */
+ * `residual`: NULL, or n numbers, data minus model in the units of sigma; `white`: the same without
+ * the correlation of the noise, by their weights. */
 rot_status rot_coast_fit_noise(const rot_coast_record *record, const int fitted[ROT_COAST_ALL],
                                double threshold, const rot_hooks *hooks, rot_coast_fit *fit,
-                               double residual[]);
+                               double residual[], double white[]);
 /* unbounded fit => fit with losses >= 0 (active set); at_bound: 1 for losses fixed at 0 */
 rot_status rot_coast_bound(const rot_coast_record *record, const int fitted[ROT_COAST_ALL],
                            const rot_hooks *hooks, rot_coast_fit *fit, int at_bound[3]);

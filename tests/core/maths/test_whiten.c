@@ -158,39 +158,48 @@ static void check_columns(void) {
   ROT_CHECK(white > 85);
 }
 
-/* Noise e_i - 0.6 e_(i-1): its mean has (1 - 0.6)^2/(1 + 0.6^2) = 0.118 of the variance that white
- * noise of its size would give it. */
-static void check_anticorrelated(void) {
+/* => mean of t^2 of the mean of 200 records of n samples of e_i - ma e_(i-1) + ar r_(i-1), by the
+ * noise found; found: how often it is anticorrelated */
+static double square_of_mean(int n, double ma, double ar, int *found) {
   uint64_t seed = 8;
   double square = 0.0;
-  int found = 0;
+  *found = 0;
   for (int trial = 0; trial < 200; trial++) {
     double t[MANY], r[MANY], J[MANY], w[2 * MANY], last = normal(&seed), xx = 0.0, xy = 0.0,
-                                                   yy = 0.0;
-    for (int i = 0; i < MANY; i++) {
+                                                   yy = 0.0, before = normal(&seed);
+    for (int i = 0; i < n; i++) {
       const double e = normal(&seed);
       t[i] = 0.1 * i;
-      r[i] = e - 0.6 * last;
+      r[i] = before = e - ma * last + ar * before;
       last = e;
       J[i] = 1.0;
     }
     rot_reml out;
-    ROT_CHECK(rot_whiten_reml(MANY, t, 1, J, r, 2.0, 2.0, NULL, NULL, &out) == ROT_OK);
-    found += out.noise.white > 1.0;
-    for (int i = 0; i < MANY; i++) {
+    ROT_CHECK(rot_whiten_reml((size_t)n, t, 1, J, r, 2.0, 2.0, NULL, NULL, &out) == ROT_OK);
+    *found += out.noise.white > 1.0;
+    for (int i = 0; i < n; i++) {
       w[2 * i] = J[i];
       w[2 * i + 1] = r[i];
     }
-    ROT_CHECK(rot_whiten(&out.noise, MANY, t, 2, w, NULL) == ROT_OK);
-    for (int i = 0; i < MANY; i++) {
+    ROT_CHECK(rot_whiten(&out.noise, (size_t)n, t, 2, w, NULL) == ROT_OK);
+    for (int i = 0; i < n; i++) {
       xx += w[2 * i] * w[2 * i];
       xy += w[2 * i] * w[2 * i + 1];
       yy += w[2 * i + 1] * w[2 * i + 1];
     }
-    square += xy * xy / xx / ((yy - xy * xy / xx) / (MANY - 1)) / 200.0;
+    square += xy * xy / xx / ((yy - xy * xy / xx) / (n - 1)) / 200.0;
   }
-  ROT_CHECK(found > 150);
-  ROT_CHECK(square > 0.6 && square < 1.5);
+  return square;
+}
+
+/* Noise e_i - 0.6 e_(i-1): its mean has (1 - 0.6)^2/(1 + 0.6^2) = 0.118 of the variance that white
+ * noise of its size would give it. Of an autoregression with -0.5 it has a third. */
+static void check_anticorrelated(void) {
+  int found = 0;
+  double square = square_of_mean(MANY, 0.6, 0.0, &found);
+  ROT_CHECK(found > 150 && square > 0.6 && square < 1.5);
+  square = square_of_mean(MANY, 0.0, -0.5, &found);
+  ROT_CHECK(found > 150 && square > 0.7 && square < 1.15);
 }
 
 /* The search ends where twice the log likelihood is known to 1e-3: some dozen values of it. */

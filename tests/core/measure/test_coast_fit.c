@@ -42,7 +42,7 @@ static void make(sample *s, rot_coast_kind kind, size_t n, double end, const dou
   }
   memcpy(s->fitted, all, sizeof all);
   s->fitted[ROT_COAST_THETA] = kind != ROT_COAST_RATES;
-  s->record = (rot_coast_record){kind, n, s->t, s->y, none};
+  s->record = (rot_coast_record){kind, n, s->t, s->y, none, NULL};
 }
 
 static rot_coast_fit start_at(double omega0) {
@@ -155,7 +155,7 @@ static void check_runout(void) {
     rot_coast_rows(&none, p, 0.0, 300, s.t, theta, omega, NULL, NULL);
     for (int i = 0; i < 300 && uneven; i++) s.y[i] += 0.02 * cos(theta[i] - 0.7);
     rot_coast_fit fit = start_at(10.0);
-    ROT_CHECK(rot_coast_fit_noise(&s.record, s.fitted, 2.0, NULL, &fit, residual) == ROT_OK);
+    ROT_CHECK(rot_coast_fit_noise(&s.record, s.fitted, 2.0, NULL, &fit, residual, NULL) == ROT_OK);
     ROT_CHECK(fit.runout_columns == 4);
     if (uneven) {
       found += fit.runout_f > 6.0 && fabs(fit.runout_size[0] - 0.02) < 0.006;
@@ -207,7 +207,7 @@ static void check_far_starts(void) {
   for (int i = 0; i < N; i++) t[i] = 1000.0 * i / (N - 1);
   ROT_CHECK(rot_coast_rows(&none, p, 0.0, N, t, y, omega, NULL, NULL) == ROT_OK);
   for (int i = 0; i < N; i++) y[i] += 0.005 * normal(&seed);
-  const rot_coast_record record = {ROT_COAST_ANGLES, N, t, y, none};
+  const rot_coast_record record = {ROT_COAST_ANGLES, N, t, y, none, NULL};
   int arrived = 0;
   for (int i = 0; i < 16; i++) {
     static const double fraction[4] = {0.05, 0.3, 2.0, 0.7};
