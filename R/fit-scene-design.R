@@ -122,12 +122,18 @@ print.rot_planned_record <- function(x, ...) {
 
 # ---- information --------------------------------------------------------------------------------
 
-# A matrix whose square is the information, columns: the fit's variables. That of a fit is scaled as
-# its covariance is.
+# A matrix whose square is the information, columns: the fit's variables. That of a fit is the
+# inverse of its covariance; where not all is determined, scaled as that is.
 information_of_fit <- function(fit) {
   m <- nrow(fit$about$parameters)
   triangle <- matrix(fit$found$triangle, m, byrow = TRUE)
-  factor <- diag(matrix(fit$found$factor, m, byrow = TRUE))
+  factor <- matrix(fit$found$factor, m, byrow = TRUE)
+  moved <- fit$found$held == 0
+  if (is.null(fit$free) && any(moved)) {
+    triangle[moved, moved] <- solve(factor[moved, moved], tol = 0)
+    return(triangle)
+  }
+  factor <- diag(factor)
   first <- which(factor > 0)
   if (length(first)) triangle / (factor[first[1]] * triangle[first[1], first[1]]) else triangle
 }

@@ -151,6 +151,7 @@ by_edges <- function(record) {
     if (is.na(found)) 0 else real_step(y, segment, found)
   }, double(1))
   record$floor <- as.list(step / sqrt(12))
+  record$count <- as.list(step)
   record$all <- record$series
   record$weight <- Map(function(y, step) {
     if (step > 0) weight_of_counts(counts_of(y, step))
@@ -179,6 +180,7 @@ by_edges <- function(record) {
   record$time_s <- time[keep]
   record$series[[1]] <- value[keep]
   names(record$weight) <- names(record$series)
+  record$count <- NULL
   record$all <- record$series
   record
 }

@@ -1,20 +1,27 @@
 # From the core's fit to its table: intervals, what the record does not determine, verbs.
 
-# Degrees of freedom: of slow noise a series has fewer independent samples (as coast_dof()).
 fit_dof <- function(found, about) {
   if (!is.character(about$noise)) return(Inf)
   noise <- matrix(found$noise, noise_numbers)
   spans <- unlist(lapply(about$records, function(r) {
     rep(diff(range(r$time_s)), length(r$series))
   }))
-  n <- vapply(seq_len(ncol(noise)), function(k) {
-    tau <- noise[3L, k]
-    if (!(tau > 0 && noise[4L, k] < 1)) return(noise[1L, k])
-    slow <- (1 - noise[4L, k]) * 2 * tau
-    share <- slow / (slow + noise[4L, k] * spans[k] / (noise[1L, k] - 1))
-    1 / (share^2 * 2 * tau / spans[k] + (1 - share)^2 / noise[1L, k])
-  }, double(1))
-  max(sum(n) - nrow(about$parameters), 2)
+  n <- Map(noise_dof, noise[1L, ], spans, noise[3L, ], noise[4L, ])
+  max(sum(unlist(n)) - nrow(about$parameters), 2)
+}
+
+# Standard errors within which the error is, at a level: Student's t where it is normal; more where
+# a part of its variance is that of a sine of random phase. That the sine has an end is not used:
+# its size is an estimate.
+errors_within <- function(wave, level, dof) {
+  normal <- stats::qt((1 + level) / 2, dof)
+  if (wave < 0.05) return(normal)
+  sine <- sqrt(2 * wave) * cos(pi * (seq_len(64) - 0.5) / 64)
+  inside <- function(x) {
+    mean(stats::pnorm(x - sine, sd = sqrt(1 - wave)) - stats::pnorm(-x - sine, sd = sqrt(1 - wave)))
+  }
+  z <- stats::uniroot(function(x) inside(x) - level, c(0, 2 + normal), tol = 1e-4)$root
+  normal * max(z / stats::qnorm((1 + level) / 2), 1)
 }
 
 # Directions in which the motion does not change, in the fit's variables: columns of unit vectors,
@@ -42,8 +49,7 @@ new_scene_fit <- function(about, found, call) {
   spread <- matrix(found$covariance, m, byrow = TRUE)
   error <- sqrt(diag(spread)) * ifelse(p$log, x, 1)
   dof <- fit_dof(found, about)
-  t <- stats::qt((1 + about$level) / 2, dof)
-  half <- sqrt(diag(spread)) * t
+  half <- sqrt(diag(spread)) * vapply(found$wave, errors_within, 0, about$level, dof)
   lower <- ifelse(p$log, x * exp(-half), x - half)
   upper <- ifelse(p$log, x * exp(half), x + half)
   status <- rep("determined", m)
@@ -198,6 +204,14 @@ print.rot_fit <- function(x, ...) {
     say(paste0("  ", what, told$column, where, " ", told$finding), sep = "\n")
   }
   if (any(told$test == "wrong law")) say("  intervals of a law that does not fit may not hold\n")
+  still <- unlist(lapply(about$records, function(r) {
+    size <- vapply(names(r$count), function(name) max(r$weight[[name]] %||% 1)^2, 1)
+    names(size)[size >= 0.2 * length(r$time_s)]
+  }))
+  if (length(still)) {
+    say(paste0("  equal counts of ", unique(still), " weigh as one: intervals may be too wide"),
+        sep = "\n")
+  }
   if (length(fit$found$others)) {
     worse <- sum(fit$found$others > misfit_of(fit$found) + 0.5)
     say("  ", length(fit$found$others), " further starts, ", worse,

@@ -30,7 +30,10 @@
 #' **Counters**: where a column has a resolution D (a counter, an encoder, few digits), its noise is
 #' at least `D/sqrt(12)`. Of a record of that column alone that counts in one direction, where a
 #' count repeats four times or more, the times at which it changes are fitted instead of the counts;
-#' in others n equal counts weigh as one.
+#' in others n equal counts weigh as one. Where other noise is below a fifth of D, errors are those
+#' of a sawtooth of the fitted motion, for any zero of the counter: those of two samples are as
+#' correlated as the motion between them makes them. If one wave of it causes a part of an unknown's
+#' error, intervals of low level are those of a sine with a random phase and of normal errors.
 #'
 #' What a record does not tell is said: combinations of unknowns that change without changing the
 #' motion have no standard error (`status` is `"not determined"`), and `glance()` has the condition
@@ -78,7 +81,7 @@
 #'   converge, whose records repeat rows, or whose counts are rounded down, comes with a warning of
 #'   class `rotdyn_warning_fit`.
 #' @source More, Lecture Notes in Mathematics 630, 105 (1978) for the steps; Harville, J. Am. Stat.
-#'   Assoc. 72, 320 (1977) for REML.
+#'   Assoc. 72, 320 (1977) for REML; Widrow and Kollar, Quantization Noise (2008) for counters.
 #' @seealso [fit_coast_down()], [fit_swing()], [sweep_inputs()], [motion_record()].
 #' @concept parameter estimation
 #' @concept nonlinear regression
@@ -369,7 +372,7 @@ fit_problem <- function(about, call) {
             offset = place("offset", name, r), factor = place("factor", name, r),
             weight = record$weight[[name]],
             rounding = 4 * .Machine$double.eps * max(abs(y[is.finite(y)]), 0),
-            floor = record$floor[[name]]
+            floor = record$floor[[name]], count = record$count[[name]] %||% 0
           )
         }, record$series, names(record$series)))
       )

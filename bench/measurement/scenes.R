@@ -4,10 +4,10 @@
 #   Rscript bench/measurement/scenes.R [records] [seed]
 #
 # A line for each experiment: the share of intervals at 68 and 95 % that hold the true value, the
-# records whose law was called incomplete though it is not, and what failed. Over all: 68 % within
-# 60 to 76, 95 % within 91 to 98.5. Where a record does not determine an unknown each fit must say
-# so and claim no interval. With few records an experiment alone is judged by four standard errors
-# of its share.
+# records whose law was called incomplete though it is not, and what failed. Intervals may be too
+# wide where the print says so. Over all: 68 % within 60 to 76, 95 % within 91 to 98.5. Where a
+# record does not determine an unknown each fit must say so and claim no interval. With few records
+# an experiment alone is judged by four standard errors of its share.
 
 library(rotdyn)
 arguments <- commandArgs(TRUE)
@@ -155,15 +155,6 @@ record_of <- function(one, kind) {
   as.data.frame(out, check.names = FALSE, optional = TRUE)
 }
 
-holds <- function(fit, level, truth) {
-  t <- stats::qt((1 + level) / 2, glance(fit)$dof)
-  half <- t * fit$standard_error
-  positive <- fit$value > 0 & fit$lower > 0
-  relative <- abs(log(abs(truth / fit$value))) * abs(fit$value)
-  off <- ifelse(positive, relative, abs(truth - fit$value))
-  off <= half
-}
-
 cases <- expand.grid(kind = c("white", "slow", "counter"), name = names(experiments),
                      stringsAsFactors = FALSE)
 cases <- cases[seq_len(nrow(cases)) %% parts == part - 1L, ]
@@ -177,12 +168,13 @@ for (i in seq_len(nrow(cases))) {
   set.seed(seed + 1000 * match(cases$name[i], names(experiments)) + match(cases$kind[i], c(
     "white", "slow", "counter")))
   in68 <- in95 <- logical()
-  failed <- incomplete <- claims <- 0
+  failed <- incomplete <- claims <- wide <- 0
   for (k in seq_len(records)) {
     film <- record_of(one, cases$kind[i])
-    fit <- tryCatch(suppressWarnings(suppressMessages(
-      fit_scene(one$scene(one$guess), film, one$unknown)
+    fit_at <- function(level) tryCatch(suppressWarnings(suppressMessages(
+      fit_scene(one$scene(one$guess), film, one$unknown, level = level)
     )), error = function(e) e)
+    fit <- fit_at(0.95)
     if (inherits(fit, "error")) {
       failed <- failed + 1
       if (failed == 1) message(cases$name[i], ": ", conditionMessage(fit))
@@ -198,13 +190,18 @@ for (i in seq_len(nrow(cases))) {
     }
     tests <- residual_tests(fit)
     incomplete <- incomplete + any(tests$test == "wrong law" & tests$finding != "none found")
-    in68 <- c(in68, holds(fit, 0.68, one$truth))
-    in95 <- c(in95, fit$lower <= one$truth & one$truth <= fit$upper)
+    inside <- function(fit) fit$lower <= one$truth & one$truth <= fit$upper
+    in68 <- c(in68, inside(fit_at(0.68)))
+    in95 <- c(in95, inside(fit))
+    wide <- wide + any(grepl("may be too wide", utils::capture.output(print(fit))))
   }
   good <- if (one$determined) {
     # Unknowns of a record are correlated: each counts as half a record.
     n <- max(length(in68) / 2, 1)
-    within <- function(x, p) abs(mean(x) - p) <= 4 * sqrt(p * (1 - p) / n) + 0.01
+    within <- function(x, p) {
+      off <- mean(x) - p
+      abs(off) <= 4 * sqrt(p * (1 - p) / n) + 0.01 || off > 0 && wide > records / 2
+    }
     length(in68) > 0 && within(in68, 0.68) && within(in95, 0.95) && failed <= 0.04 * records
   } else {
     claims == 0 && failed == 0

@@ -26,7 +26,8 @@ static rot_fit_series series_of(SEXP x, const rot_constraint *constraint, R_xlen
                              .factor = (int)ffi_number_of(x, "factor"),
                              .weight = Rf_isNull(weight) ? NULL : ffi_reals(weight, "weight", n),
                              .rounding = ffi_number_of(x, "rounding"),
-                             .floor = ffi_number_of(x, "floor")};
+                             .floor = ffi_number_of(x, "floor"),
+                             .count = ffi_number_of(x, "count")};
   if (constraint &&
       (to.of.column >= constraint->n_columns || constraint->columns[to.of.column].flag)) {
     Rf_error("internal: no such column");
@@ -151,14 +152,14 @@ static callback *callbacks_of(SEXP run, const rot_fit_problem *problem, ffi_guar
 
 /* ---- the fit --------------------------------------------------------------------------------- */
 
-enum { X, HELD, COVARIANCE, FACTOR, TRIANGLE, NOISE, FITTED, WHITE, NUMBERS, MODEL };
+enum { X, HELD, COVARIANCE, FACTOR, TRIANGLE, NOISE, FITTED, WHITE, NUMBERS, WAVE, MODEL };
 static const char *const names[] = {"x",      "held",  "covariance", "factor", "triangle", "noise",
-                                    "fitted", "white", "numbers",    "model",  ""};
+                                    "fitted", "white", "numbers",    "wave",   "model",    ""};
 
 /* problem, with a scene as `node`, or `run`: a function that computes the motions => list(x, held,
  * covariance, factor, triangle; noise: n, sigma, tau, white, cap, gain of each series; fitted,
- * white; numbers: status, squares, condition, samples, iterations, runs; model); or list(refused,
- * at) */
+ * white; numbers: status, squares, condition, samples, iterations, runs; wave; model); or
+ * list(refused, at) */
 SEXP ffi_fit(SEXP x, SEXP progress) {
   static const char *const refused[] = {"refused", "at", ""};
   char fault[FFI_OBJECT_FAULT];
@@ -184,6 +185,8 @@ SEXP ffi_fit(SEXP x, SEXP progress) {
   fit.triangle = ffi_new_double(out, TRIANGLE, m * m);
   fit.fitted = ffi_new_double(out, FITTED, n_samples);
   fit.white = ffi_new_double(out, WHITE, n_samples);
+  fit.wave = ffi_new_double(out, WAVE, m);
+  memset(fit.wave, 0, (size_t)m * sizeof *fit.wave);
   double *held = ffi_new_double(out, HELD, m);
   fit.held = (int *)R_alloc((size_t)m + 1, sizeof *fit.held);
   for (R_xlen_t i = 0; i < m * m; i++) fit.covariance[i] = fit.factor[i] = fit.triangle[i] = NAN;

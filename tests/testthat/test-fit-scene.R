@@ -399,6 +399,38 @@ test_that("digits that tremble are no counter", {
   expect_true(all(abs(fit$value - c(0.5, 6)) < 3 * fit$standard_error))
 })
 
+test_that("errors of counts are as correlated as the angle makes them", {
+  # 1.1186 counts between samples: the error is a wave of nine samples. By the angles for many zeros
+  # of the counter, and least squares by lm():
+  time_s <- seq(0, 5, length.out = 150)
+  count <- 0.01
+  turned <- 1.1186 * count / time_s[2] * time_s
+  read <- function(zero) count * (round(turned / count + zero) - zero)
+  rates <- vapply((1:200 - 0.5) / 200, function(zero) {
+    stats::coef(stats::lm(read(zero) ~ 0 + time_s))
+  }, 0)
+  expected <- stats::sd(rates)
+  wheel <- scene_axle(1, omega0_rad_per_s = 0.33)
+  fits <- lapply(c(0.1, 0.4, 0.7), function(zero) {
+    fit_scene(wheel, data.frame(time_s, theta_rad = read(zero)), "omega0_rad_per_s")
+  })
+  errors <- vapply(fits, `[[`, 0, "standard_error")
+  expect_equal(errors, rep(expected, 3), tolerance = 0.1)
+  # Independent errors would be 4.4 times as large.
+  expect_gt(count / sqrt(12) / sqrt(sum(time_s^2)), 4 * expected)
+})
+
+test_that("an error that is a wave of the counter is seldom small", {
+  within <- rotdyn:::errors_within
+  expect_identical(within(0, 0.95, 12), stats::qt(0.975, 12))
+  # |sqrt(2) cos(phase)| is below x for the part 2/pi asin(x/sqrt(2)) of the phases.
+  expect_equal(within(0.999, 0.68, Inf), sqrt(2) * sin(0.68 * pi / 2), tolerance = 0.02)
+  expect_identical(within(0.999, 0.95, Inf), stats::qnorm(0.975))
+  set.seed(1)
+  off <- sqrt(0.6 * 2) * cos(runif(1e5, 0, 2 * pi)) + sqrt(0.4) * rnorm(1e5)
+  expect_equal(mean(abs(off) < within(0.6, 0.68, Inf)), 0.68, tolerance = 0.01)
+})
+
 test_that("equal counts at rest have one error", {
   clutch <- function(capacity, omega0) {
     scene_clutch(2, 3, capacity, omega0_rad_per_s = c(omega0, 0))
@@ -410,6 +442,7 @@ test_that("equal counts at rest have one error", {
     film <- film_of(clutch(12, 20), seq(0, 4, length.out = 100), rates)
     for (name in rates) film[[name]] <- 0.2 * (round(film[[name]] / 0.2 + zero) - zero)
     fit <- fit_scene(clutch(10, 19), film, unknown)
+    expect_output(print(fit), "weigh as one: intervals may be too wide")
     max(abs(fit$value - c(12, 20)) / fit$standard_error)
   }, double(1))
   expect_lt(max(off), 3.5)

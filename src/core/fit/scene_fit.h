@@ -17,6 +17,7 @@ typedef struct rot_fit_series {
   int offset, factor;   /* unknowns, or ROT_FIT_NONE */
   double rounding;      /* of its numbers */
   double floor;         /* of the s.d. of the noise: a counter's */
+  double count;         /* > 0: y are counts of this size, rounded; 0: they are not */
 } rot_fit_series;
 
 typedef struct rot_fit_record {
@@ -53,13 +54,15 @@ typedef struct rot_fit_problem {
   void *ctx;
 } rot_fit_problem;
 
-/* Memory of the caller: p = n_unknowns; covariance, factor, triangle: p x p, of the fit's
- * variables; noise: one for each series, in order; fitted: n of each series in order, offset +
- * factor * motion; white: data minus fitted in standard deviations, without the correlation of the
- * noise; NaN where not measured. */
+/* Memory of the caller: p = n_unknowns; wave: p, the part of the variance that is one harmonic of
+ * the counts of one series, whose distribution is that of a sine; covariance, factor, triangle: p x
+ * p, of the fit's variables; noise: one for each series, in order; fitted: n of each series in
+ * order, offset + factor * motion; white: data minus fitted in standard deviations, without the
+ * correlation of the noise; NaN where not measured. */
 typedef struct rot_fit {
   double *x;
   int *held; /* 1: at the edge of its domain, -1 low, 1 high */
+  double *wave;
   double *covariance, *factor, *triangle;
   rot_fit_noise *noise;
   double *fitted, *white;

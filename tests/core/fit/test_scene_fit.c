@@ -42,7 +42,8 @@ typedef struct kit {
   int unknown[2][M], logarithm[M];
   double value[M], low[M], high[M], prior[M], prior_sd[M];
   rot_fit_problem problem;
-  double x[M], covariance[M * M], factor[M * M], triangle[M * M], fitted[2 * N], white[2 * N];
+  double x[M], wave[M], covariance[M * M], factor[M * M], triangle[M * M], fitted[2 * N],
+      white[2 * N];
   int held[M];
   rot_fit_noise noise[2];
   rot_fit fit;
@@ -86,6 +87,7 @@ static void begin(kit *k, rot_object *scene, size_t n, const char *const inputs[
   k->fit = (rot_fit){.x = k->x,
                      .held = k->held,
                      .covariance = k->covariance,
+                     .wave = k->wave,
                      .factor = k->factor,
                      .triangle = k->triangle,
                      .noise = k->noise,
