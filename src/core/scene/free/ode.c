@@ -334,12 +334,12 @@ static void judge(const motion *m, run *a, const run *finer) {
   double difference[3], flow[ROT_FREE_FLOWS];
   differences(m, a, finer, difference, flow);
   for (int k = 0; k < 3; k++) {
-    const double common = fmax(cap * difference[k], 16.0 * rounding * size[k]);
+    const double common = fmax(cap * difference[k], 32.0 * rounding * size[k]);
     a->measure[k] = 1.02 * difference[k] + fmin(finer->measure[k], common) + rounding * size[k];
   }
   for (size_t k = 0; k < m->flows; k++) {
     const size_t at = m->groups + k;
-    const double common = fmax(cap * flow[k], 16.0 * rounding * a->largest[at]);
+    const double common = fmax(cap * flow[k], 32.0 * rounding * a->largest[at]);
     a->error[at] = flow[k] + fmin(finer->error[at], common) + rounding * a->largest[at];
   }
 }
