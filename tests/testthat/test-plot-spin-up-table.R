@@ -38,7 +38,8 @@ test_that("names are across where no number varies, rows where nothing does", {
 })
 
 test_that("what does not vary, or is across, has no colours", {
-  one <- spin_up_table(data.frame(moment_of_inertia_kg_m2 = 1:3, viscous_n_m_s = 0.1), 1, time_s = 2)
+  wheels <- data.frame(moment_of_inertia_kg_m2 = 1:3, viscous_n_m_s = 0.1)
+  one <- spin_up_table(wheels, 1, time_s = 2)
   expect_identical(nlevels(ggplot2::autoplot(one)$data$key), 1L)
   expect_false("0.1" %in% levels(ggplot2::autoplot(one)$data$key))
 })

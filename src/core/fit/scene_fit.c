@@ -498,117 +498,11 @@ static int settled(const rot_fit_noise *a, const rot_fit_noise *b) {
   return fabs(log(t / v)) < 0.05 && fabs(a->reml.noise.white - b->reml.noise.white) < 0.01;
 }
 
-/* ---- counters -------------------------------------------------------------------------------
-
- * The error of a count is a sawtooth of the angle: with another zero of the counter it is another,
- * but that of two samples depends on the angle between them. Noise of s.d. s before the count
- * makes it random. The covariance of samples at x and x' is the sum over k of size_k cos(2 pi k (x
- * - x')/D), size_k = D^2/(2 pi^2 k^2) exp(-(2 pi k s/D)^2), and what is left of the variance D^2/12
- * + s^2 is white (Widrow and Kollar, Quantization Noise, 2008, chapters 4 and 9). */
-
-enum { HARMONICS = 32 };
-static const double TWO_PI = 6.283185307179586;
-
-/* Noise of more than a fifth of a count makes the errors of counts independent. */
-static const double RANDOM_COUNTS = 0.2;
-
-static double weight_of(const series *s, size_t i) {
-  return s->of->weight ? s->of->weight[s->at[i]] : 1.0;
-}
-
-/* (residuals r by their weights and `unit`) => variance of the noise before the counts; less than
- * two standard errors of the variance of a sawtooth are none */
-static double noise_of_counts(const series *s, double unit, const double r[]) {
-  const double n = (double)s->n, rounded = s->of->count * s->of->count / 12.0;
-  double sum = 0.0;
-  for (size_t i = 0; i < s->n; i++) {
-    const double x = r[i] * weight_of(s, i) * unit;
-    sum += x * x;
-  }
-  return fmax(sum / n - rounded * (1.0 + 2.0 * sqrt(0.8 / n)), 0.0);
-}
-
-static int is_counted(const work *w, const series *s, const double r[]) {
-  const double limit = RANDOM_COUNTS * s->of->count;
-  return s->of->count > 0.0 && s->n > 0 && isfinite(w->problem->threshold) &&
-         noise_of_counts(s, 1.0, r) < limit * limit;
-}
-
-/* to += variance times the sum of j'j over n rows; of s: by the squares of its weights */
-static void add_squares(const work *w, size_t n, const series *s, double variance, const double j[],
-                        double to[]) {
-  const size_t m = w->n_free;
-  for (size_t i = 0; i < n; i++) {
-    const double weight = s ? weight_of(s, i) : 1.0, size = variance / (weight * weight);
-    for (size_t a = 0; a < m; a++) {
-      for (size_t b = 0; b < m; b++) to[a * m + b] += size * j[i * m + a] * j[i * m + b];
-    }
-  }
-}
-
-/* (whitened residuals r and rows j of the free variables, `off`: added to these, c = inverse of
- * j'j) => to += `part` of the covariance of j'e for the errors e of the counts, in the same units;
- * wave: variance of each variable by the harmonic that has the largest */
-static void add_counts(const work *w, const series *s, const double r[], const double j[],
-                       const double off[], double part, const double c[], double to[],
-                       double wave[]) {
-  const size_t m = w->n_free;
-  const double unit = s->noise->sigma, d = s->of->count / unit;
-  const double before = noise_of_counts(s, unit, r) / (s->of->count * s->of->count);
-  double left = d * d * (1.0 / 12.0 + before), largest[ROT_FIT_UNKNOWNS] = {0};
-  for (int k = 1; k <= HARMONICS; k++) {
-    const double turn = TWO_PI * k;
-    const double size = 2.0 * d * d / (turn * turn) * exp(-turn * turn * before);
-    double even[ROT_FIT_UNKNOWNS] = {0}, odd[ROT_FIT_UNKNOWNS] = {0};
-    for (size_t i = 0; i < s->n; i++) {
-      const double weight = weight_of(s, i);
-      double x = r[i];
-      for (size_t q = 0; q < m; q++) x += j[i * m + q] * off[q];
-      x = (s->of->y[s->at[i]] + x * weight * unit) / s->of->count;
-      const double cosine = cos(turn * x) / weight, sine = sin(turn * x) / weight;
-      for (size_t q = 0; q < m; q++) {
-        even[q] += j[i * m + q] * cosine;
-        odd[q] += j[i * m + q] * sine;
-      }
-    }
-    for (size_t a = 0; a < m; a++) {
-      double x = 0.0, y = 0.0;
-      for (size_t b = 0; b < m; b++) {
-        to[a * m + b] += part * size * (even[a] * even[b] + odd[a] * odd[b]);
-        x += c[a * m + b] * even[b];
-        y += c[a * m + b] * odd[b];
-      }
-      largest[a] = fmax(largest[a], size * (x * x + y * y));
-    }
-    left -= size;
-  }
-  for (size_t a = 0; a < m; a++) wave[a] += part * largest[a];
-  add_squares(w, s->n, s->of->weight ? s : NULL, part * left, j, to);
-}
-
-/* The counts of a series at the estimate, or, where its error moves a sample by more than a
- * fiftieth of a count, the mean over points of that error: `root` root' = c. */
-static void average_counts(const work *w, const series *s, const double r[], const double j[],
-                           const double root[], const double c[], double to[], double wave[]) {
-  const size_t m = w->n_free;
-  double off[ROT_FIT_UNKNOWNS] = {0}, farthest = 0.0;
-  for (size_t i = 0; i < s->n; i++) {
-    for (size_t k = 0; k < m; k++) {
-      double moved = 0.0;
-      for (size_t q = 0; q < m; q++) moved += j[i * m + q] * root[q * m + k];
-      farthest = fmax(farthest, fabs(moved) * weight_of(s, i) * s->noise->sigma);
-    }
-  }
-  if (!(farthest > 0.02 * s->of->count)) {
-    add_counts(w, s, r, j, off, 1.0, c, to, wave);
-    return;
-  }
-  for (size_t k = 0; k < 2 * m; k++) {
-    for (size_t q = 0; q < m; q++) {
-      off[q] = (k % 2 ? -1.0 : 1.0) * sqrt((double)m) * root[q * m + k / 2];
-    }
-    add_counts(w, s, r, j, off, 0.5 / (double)m, c, to, wave);
-  }
+static rot_fit_counts counts_of(const work *w, const series *s, double unit, const double r[],
+                                const double j[]) {
+  const rot_fit_counts counts = {s->n,         w->n_free, s->at, s->of->y, s->of->weight,
+                                 s->of->count, unit,      r,     j};
+  return counts;
 }
 
 /* The columns that act on a series, for its noise. */
@@ -640,7 +534,8 @@ static rot_status find_noise(work *w, double r[], double j[], int *same) {
     const double span = s->n > 1 ? s->time_s[s->n - 1] - s->time_s[0] : 0.0;
     double sum = 0.0;
     const size_t m = columns_of(w, s, j + s->first * w->n_free, w->block);
-    s->counted = is_counted(w, s, r + s->first);
+    const rot_fit_counts counts = counts_of(w, s, 1.0, r + s->first, NULL);
+    s->counted = isfinite(w->problem->threshold) && rot_fit_counts_rule(&counts);
     if (s->counted) {
       s->noise->reml = (rot_reml){{0.0, 1.0}, 0.0, 0.0, 0, 0};
     } else if (s->n > m + 3) {
@@ -692,13 +587,15 @@ static rot_status put_counts(work *w, double r[], double j[]) {
   for (size_t k = 0; k < w->n_series; k++) {
     const series *s = &w->series[k];
     const double *rows = j + s->first * m;
-    if (s->counted)
-      average_counts(w, s, r + s->first, rows, root, c, e, wave);
-    else
-      add_squares(w, s->n, NULL, w->size * w->size, rows, e);
+    if (s->counted) {
+      const rot_fit_counts counts = counts_of(w, s, s->noise->sigma, r + s->first, rows);
+      rot_fit_counts_covariance(&counts, root, c, e, wave);
+    } else {
+      rot_fit_squares(s->n, m, w->size * w->size, rows, e);
+    }
   }
   const size_t priors = w->n_residuals - w->n_priors;
-  add_squares(w, w->n_priors, NULL, w->size * w->size, j + priors * m, e);
+  rot_fit_squares(w->n_priors, m, w->size * w->size, j + priors * m, e);
   multiply(m, c, e, half);
   multiply(m, half, c, e);
   for (size_t a = 0; a < m; a++) {

@@ -5,9 +5,10 @@
 
 #include "fit/motion.h"
 #include "maths/trust_region.h"
+#include "fit/counts.h"
 #include "maths/whiten.h"
 
-enum { ROT_FIT_NONE = -1, ROT_FIT_UNKNOWNS = 14 }; /* columns of rot_whiten() */
+enum { ROT_FIT_NONE = -1 };
 
 /* One observed column of a record. y = offset + factor * motion. */
 typedef struct rot_fit_series {
