@@ -185,6 +185,24 @@ test_that("the balance of a row is of its first time, where the moment of inerti
   expect_true(all(sweep$balanced == 1))
 })
 
+test_that("the balance of an integrated row is that of its run at all times", {
+  fan <- scene_axle(1, torque_sinusoid(3, 4), resistance(0.1, 0.2), omega0_rad_per_s = 2)
+  times <- c(0, 0.4, 1.1, 3)
+  rates <- c(2, 5)
+  plan <- sweep_plan(
+    fan, times, design_list(data.frame(omega0_rad_per_s = rates)),
+    outputs = c("supplied_j", "lost_j"), accuracy = 1e-6
+  )
+  sweep <- sweep_run(plan)
+  expect_identical(plan$model, "axle_rk8pd")
+  for (row in 1:2) {
+    run <- trajectory(update(fan, omega0_rad_per_s = rates[row]), times, accuracy = 1e-6)
+    energy <- audit(run)[1, ]
+    expect_equal(sweep$supplied_j[row], energy$supplied, tolerance = 1e-14)
+    expect_equal(sweep$lost_j[row], energy$dissipated, tolerance = 1e-14)
+  }
+})
+
 test_that("a time that varies is the last of its row: times of the plan after it are left out", {
   scene <- scene_axle(2, 3, start_s = 0.25)
   design <- design_list(data.frame(time_s = c(0.5, 2, 9)))
