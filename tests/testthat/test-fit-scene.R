@@ -198,6 +198,10 @@ test_that("pictures show the record, the motion and what is left over", {
   expect_identical(nrow(layers$data[[2]]), 2L * 2L * 2L * 31L)
   expect_match(picture$labels$alt, "x_m, v_m_per_s")
   expect_equal(range(layers$data[[3]]$x), c(0, 3))
+  # Units of the unknowns; a coefficient has none.
+  expect_identical(
+    fitted_labels(fit, attr(fit, "fit")), c("static_friction", "v0_m_per_s (m/s)")
+  )
 })
 
 test_that("columns with units are converted", {
