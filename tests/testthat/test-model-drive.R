@@ -829,3 +829,29 @@ test_that("a clutch that a sinusoid drives for ever ends far before its budget",
   at_s <- as.double(sub(".*failed at ([0-9.e+]+) s.*", "\\1", conditionMessage(error)))
   expect_lt(at_s, 1e5) # 5e5 where the budget ends
 })
+
+test_that("bodies locked by a clutch swing under quadratic drag on one of them", {
+  # b = drag/inertia, n = stiffness/inertia: in a swing of one direction
+  # exp(2 b s theta) (omega^2 + n (s theta/b - 1/(2 b^2))) is constant, s the sign of omega.
+  for (seed in 1:8) {
+    set.seed(seed)
+    inertia <- runif(2, 0.1, 3)
+    ratio <- runif(1, 0.3, 3)
+    stiffness <- runif(1, 1, 9)
+    drag <- runif(1, 0.05, 0.5)
+    scene <- scene_drive(
+      inertia, coupling_clutch(500, ratio = ratio), torque = list(torque_spring(stiffness), NULL),
+      resistance = list(NULL, resistance(quadratic_n_m_s2 = drag)), omega0_rad_per_s = 3
+    )
+    motion <- trajectory(scene, seq(0, 10, 0.05), max_steps = 1e4)
+    theta <- motion$theta_rad[motion$rotor == 1]
+    omega <- motion$omega_rad_per_s[motion$rotor == 1]
+    whole <- inertia[1] + inertia[2] / ratio^2
+    b <- drag / ratio^3 / whole
+    first <- exp(2 * b * sign(omega) * theta) *
+      (omega^2 + stiffness / whole * (sign(omega) * theta / b - 1 / (2 * b^2)))
+    swing <- cumsum(c(TRUE, diff(sign(omega)) != 0))
+    expect_gt(max(swing), 2)
+    expect_lt(max(tapply(first, swing, function(x) diff(range(x)) / abs(x[1]))), 1e-8)
+  }
+})

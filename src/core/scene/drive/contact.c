@@ -48,8 +48,9 @@ static int clutch_behind(const rot_drive_system *s, size_t u, const signed char 
          mode[s->contact_of[j]] == ROT_DRIVE_STICKS;
 }
 
-/* Equal rates in each group. A group with a unit at rest on the ground is at rest; all its contacts
- * to ground stick. */
+/* Equal rates in each group. A group with a unit at rest is at rest, also where this unit has just
+ * changed its direction: a rate within rounding would do so again. All its contacts to ground
+ * stick. */
 static void equal_rates(const rot_drive_system *s, double y[], signed char mode[]) {
   for (size_t from = 0; from < s->m;) {
     size_t to = from;
@@ -60,7 +61,7 @@ static void equal_rates(const rot_drive_system *s, double y[], signed char mode[
       const double scaled = s->unit[u].inertia / s->unit[u].scale;
       momentum += scaled * y[s->m + u];
       inertia += scaled / s->unit[u].scale;
-      held |= s->unit[u].ground != SIZE_MAX && mode[s->unit[u].ground] == ROT_DRIVE_STICKS;
+      held |= y[s->m + u] == 0.0;
     }
     for (size_t u = from; u <= to; u++) {
       if (held) {
