@@ -830,6 +830,24 @@ test_that("a clutch that a sinusoid drives for ever ends far before its budget",
   expect_lt(at_s, 1e5) # 5e5 where the budget ends
 })
 
+test_that("a brake that begins to act on a drive at rest holds it from the start", {
+  ramp <- function(to_n_m) torque_knots(c(0, 2), c(0, to_n_m), outside = "hold")
+  for (to_n_m in c(20, 0.02, 2e-9)) {
+    alone <- scene_drive(1, brake = brake(ramp(to_n_m)), torque = list(ramp(to_n_m / 2)))
+    beside <- scene_drive(
+      c(1, 1), coupling_clutch(0), brake = list(brake(ramp(to_n_m)), brake(0)),
+      torque = list(ramp(to_n_m / 2), NULL)
+    )
+    for (scene in list(alone, beside)) {
+      motion <- trajectory(scene, 0:4)
+      expect_identical(nrow(motion_events(motion)), 0L)
+      expect_true(all(motion$omega_rad_per_s == 0))
+      expect_identical(glance(motion)$error, 0)
+      expect_true(all(audit(motion)$verdict == "balanced"))
+    }
+  }
+})
+
 test_that("bodies locked by a clutch swing under quadratic drag on one of them", {
   # b = drag/inertia, n = stiffness/inertia: in a swing of one direction
   # exp(2 b s theta) (omega^2 + n (s theta/b - 1/(2 b^2))) is constant, s the sign of omega.

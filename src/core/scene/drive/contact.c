@@ -133,17 +133,19 @@ static rot_status look_ahead(rot_drive_system *s, double t, const double y[],
   rot_status status = rot_drive_forces(s, t + ahead_s, later, mode);
   *margin = s->weakest.margin;
   *load = s->weakest.load;
+  memcpy(s->capacity_ahead, s->capacity, s->n_contacts * sizeof *s->capacity);
   if (status == ROT_OK) status = rot_drive_forces(s, t, y, mode);
   s->weakest = now;
   free(rate);
   return status;
 }
 
-/* Contacts without capacity and load become open. Returns 1 if there is one. */
+/* Contacts without load, and without capacity now and ahead, become open: one whose capacity begins
+ * to grow holds. Returns 1 if there is one. */
 static int open_up(const rot_drive_system *s, signed char mode[]) {
   int found = 0;
   for (size_t k = 0; k < s->n_contacts; k++) {
-    if (mode[k] == ROT_DRIVE_STICKS && s->capacity[k] == 0.0) {
+    if (mode[k] == ROT_DRIVE_STICKS && s->capacity[k] == 0.0 && s->capacity_ahead[k] == 0.0) {
       mode[k] = ROT_DRIVE_OPEN;
       found = 1;
     }

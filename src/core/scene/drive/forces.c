@@ -77,7 +77,7 @@ rot_status rot_drive_system_new(rot_drive_system *s, const rot_drive_scene *scen
                         &s->hold,         &s->brake_cap, &s->alpha,   &s->low,    &s->high,
                         &s->acceleration, &s->passed};
   enum { COUNT = sizeof numbers / sizeof *numbers };
-  double *memory = calloc(n * (COUNT + 2), sizeof *memory);
+  double *memory = calloc(n * (COUNT + 4), sizeof *memory);
   size_t *indices = calloc(3 * n, sizeof *indices);
   s->unit = calloc(n, sizeof *s->unit);
   s->contact = calloc(2 * n, sizeof *s->contact);
@@ -89,6 +89,7 @@ rot_status rot_drive_system_new(rot_drive_system *s, const rot_drive_scene *scen
   }
   for (size_t k = 0; k < COUNT; k++) *numbers[k] = memory + k * n;
   s->capacity = memory + COUNT * n; /* of at most 2 n - 1 contacts */
+  s->capacity_ahead = s->capacity + 2 * n;
   s->state_of = indices + n;
   s->contact_of = indices + 2 * n;
   find_units(s);

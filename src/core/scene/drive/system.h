@@ -54,12 +54,13 @@ typedef struct rot_drive_system {
   double *dry_cap, *brake_cap; /* n: capacities; static if the contact sticks */
   double *torque;              /* n - 1: T of the couplings */
   double *passed;              /* n - 1: fraction of T that the next rotor receives */
-  double *capacity;     /* n_contacts: at the rotor before a clutch, at the coordinate of a unit */
-  double *force, *size; /* m: sum of known torques on a unit, its coordinate; of their |values| */
-  double *hold;         /* m: torque of the contact to ground if it sticks, at the coordinate */
-  double *acceleration; /* m: of the coordinates */
-  double *alpha;        /* n: accelerations of the rotors */
-  double *low, *high;   /* m: scratch */
+  double *capacity; /* n_contacts: at the rotor before a clutch, at the coordinate of a unit */
+  double *capacity_ahead; /* n_contacts: where a tie was decided */
+  double *force, *size;   /* m: sum of known torques on a unit, its coordinate; of their |values| */
+  double *hold;           /* m: torque of the contact to ground if it sticks, at the coordinate */
+  double *acceleration;   /* m: of the coordinates */
+  double *alpha;          /* n: accelerations of the rotors */
+  double *low, *high;     /* m: scratch */
   rot_drive_weakest weakest;
   void *memory;
 } rot_drive_system;
