@@ -11,6 +11,9 @@ test_that("rows take the law's own value only where it is as small as its roundi
   }
   # From 2e-9 to 1.3e-14 of its largest value: no row is read again.
   expect_identical(count(c(0, seq(20, 32, length.out = 100), 32)), count(c(0, 32)))
+  # Another value at the instant alone.
+  odd <- function(time_s) ifelse(time_s == 2, 5, time_s - 2)
+  expect_lt(abs(trajectory(scene_axle(1, odd), 0:3)$applied_torque_n_m[3]), 1e-15)
 })
 
 test_that("a start at rest on a jump of the angle that pushes back is refused at once", {

@@ -472,3 +472,9 @@ test_that("stamps in ms since 1970 keep their digits: seconds are counted from t
   expect_equal(motion_record(data, time_s = "t (ms)", theta_rad = theta)$time_s, 1000 + 0:5 / 1000)
   expect_equal(motion_record(data.frame(t = 1.6e9 + 0:5, b = 1:6), t, b)$time_s, 1.6e9 + 0:5)
 })
+
+test_that("a step is measured where its rate is, up to the time at which a hole begins", {
+  found <- integrate_rate(c(0, 1, 2, 5, 6), rep(1, 5), c(0.5, 1.5, 2, 2.5, 5.5, 6))
+  expect_equal(found$advance, c(NA, 1, 0.5, 0.5, 3, 0.5))
+  expect_identical(found$measured, c(FALSE, TRUE, TRUE, FALSE, FALSE, TRUE))
+})
