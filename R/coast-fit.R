@@ -323,24 +323,6 @@ unpack_run <- function(out, problem) {
   )
 }
 
-# Degrees of freedom of n samples over a time, by their noise. Of the slow part of the noise a run
-# of length T has as many independent samples as its mean would show, T/(2 tau) (Bayley and
-# Hammersley, J. R. Stat. Soc. B 8, 184, 1946); the two parts are weighed by their power at low
-# frequency. With n - p instead the intervals cover 1 to 2 % less (bench/measurement/coast.R, AR(1)
-# 0.9 and half slow noise). Of anticorrelated noise the power at low frequency is a small
-# difference: where it is (1 - a)^2/(1 + a^2) of the variance, as of e_i - a e_(i-1), its error is
-# that of n (1 - a)/(2 (1 + a)) squares (Brockwell and Davis, Time Series, 1991, example 8.8.1).
-noise_dof <- function(n, span, tau, white) {
-  if (!(tau > 0) || white == 1 || n < 2) return(n)
-  if (white > 1) {
-    power <- max(white - (white - 1) / tanh(span / (n - 1) / (2 * tau)), 0)
-    return(n / 2 * sqrt(power / (2 - power)))
-  }
-  slow <- (1 - white) * 2 * tau
-  part <- slow / (slow + white * span / (n - 1))
-  1 / (part^2 * 2 * tau / span + (1 - part)^2 / n)
-}
-
 coast_dof <- function(time_s, numbers) {
   n <- noise_dof(
     length(time_s), diff(range(time_s)), numbers[["tau_s"]], numbers[["white"]]

@@ -69,29 +69,6 @@ verdict_rows <- function(fit) {
   do.call(rbind, rows)
 }
 
-# Sums of whitened residuals over windows of 4, 8, 16, ... samples that overlap by half: the largest
-# in standard deviations, and the chance of one as large (union bound over windows and widths).
-scan_residuals <- function(e) {
-  n <- length(e)
-  total <- c(0, cumsum(e))
-  best <- 0
-  p <- 1
-  widths <- 0
-  width <- 4L
-  while (width <= n) {
-    first <- seq(0, n - width, by = width %/% 2L)
-    z <- max(abs(total[first + width + 1] - total[first + 1])) / sqrt(width)
-    chance <- min(1, 2 * length(first) * stats::pnorm(z, lower.tail = FALSE))
-    if (chance < p) {
-      p <- chance
-      best <- z
-    }
-    width <- 2L * width
-    widths <- widths + 1
-  }
-  list(statistic = best, p = min(1, p * max(widths, 1)))
-}
-
 # Where residuals are largest over a tenth of the record.
 worst_time <- function(time_s, residual) {
   n <- length(residual)

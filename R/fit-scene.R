@@ -585,21 +585,6 @@ with_growing_noise <- function(about, found) {
   list(about = about, found = found)
 }
 
-# The slope of the logarithm of the noise's s.d. over time; 0 where chance explains it, for exact
-# data, and where the law fails.
-trend_of <- function(time_s, e, fitted, y) {
-  here <- is.finite(e)
-  x <- time_s[here] - mean(time_s[here])
-  size <- abs(e[here])
-  if (length(x) < 30L || max(abs(y - fitted)[here]) < 1e-9 * max(abs(y[here]))) return(0)
-  spread <- sqrt(sum(x^2))
-  slope <- sum(x * log(pmax(size, 0.01 * mean(size)))) / spread^2
-  # The logarithm of a normal number's size has the s.d. pi/sqrt(8).
-  if (!isTRUE(abs(slope) * spread > 4 * pi / sqrt(8))) return(0)
-  even <- e[here] * exp(-slope * x)
-  if (scan_residuals(even / sqrt(mean(even^2)))$p < 1e-3) 0 else slope
-}
-
 # Counts that are rounded down are half a count from the angle: with an offset of this size, which
 # is not fitted, the motion fits better.
 warn_rounded_down <- function(about, found, call) {
