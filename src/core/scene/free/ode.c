@@ -324,8 +324,8 @@ static void differences(const motion *m, const run *a, const run *b, double meas
 
 /* Errors of a run: its difference from a finer run, plus the error of that. The estimate of a
  * single run is a safe upper limit. Two runs may have the same error: with a torque function at its
- * kinks, and by rounding (of 60 free bodies up to 5.7 times the estimate without that, 0.95 with).
- */
+ * kinks, and by rounding: without that the body of test-model-free.R is off by 5.7 times the
+ * estimate. */
 static void judge(const motion *m, run *a, const run *finer) {
   const double rounding = 2.0 * ROT_EPS * sqrt(1.0 + (double)a->info.steps);
   const double cap = m->p->law || m->p->motors ? 0.9 : 0.5, min = m->rotors.min;
