@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "maths/expm.h"
+
 /* A series without its missing samples, whitened by its noise. */
 typedef struct series {
   const rot_fit_series *of;
@@ -556,14 +558,6 @@ static rot_status find_noise(work *w, double r[], double j[], int *same) {
   return status;
 }
 
-/* a b of m x m matrices */
-static void multiply(size_t m, const double a[], const double b[], double to[]) {
-  for (size_t i = 0; i < m * m; i++) {
-    to[i] = 0.0;
-    for (size_t k = 0; k < m; k++) to[i] += a[i / m * m + k] * b[k * m + i % m];
-  }
-}
-
 /* The covariance of the least-squares estimate for the errors of counts, and its factor. The
  * estimate itself is that of white noise. */
 static rot_status put_counts(work *w, double r[], double j[]) {
@@ -596,8 +590,8 @@ static rot_status put_counts(work *w, double r[], double j[]) {
   }
   const size_t priors = w->n_residuals - w->n_priors;
   rot_fit_squares(w->n_priors, m, w->size * w->size, j + priors * m, e);
-  multiply(m, c, e, half);
-  multiply(m, half, c, e);
+  (void)rot_expm_multiply(m, c, e, half, NULL);
+  (void)rot_expm_multiply(m, half, c, e, NULL);
   for (size_t a = 0; a < m; a++) {
     if (e[a * m + a] > 0.0) w->fit->wave[w->free_at[a]] = fmin(wave[a] / e[a * m + a], 1.0);
     for (size_t b = 0; b < m; b++) {

@@ -3,9 +3,9 @@
 #ifndef ROT_SCENE_FIT_H
 #define ROT_SCENE_FIT_H
 
+#include "fit/counts.h"
 #include "fit/motion.h"
 #include "maths/trust_region.h"
-#include "fit/counts.h"
 #include "maths/whiten.h"
 
 enum { ROT_FIT_NONE = -1 };

@@ -405,9 +405,7 @@ static int hangs(const motion *m) {
   }
   if (rot_free_torque(p, p->start_s, none, m->q0, 1, torque) != ROT_OK) return 0;
   rot_attitude_to_body(m->q0, up, z);
-  return g[0] * z[0] + g[1] * z[1] + g[2] * z[2] < 0.0 &&
-         hypot(hypot(torque[0], torque[1]), torque[2]) <=
-             4.0 * ROT_EPS * hypot(hypot(g[0], g[1]), g[2]);
+  return rot_dot(g, z) < 0.0 && rot_length(torque) <= 4.0 * ROT_EPS * rot_length(g);
 }
 
 /* Events of a run. A body released at a turning point has an event at the start, as in closed
