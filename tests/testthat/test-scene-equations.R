@@ -50,6 +50,11 @@ test_that("an orbit of eccentricity 0.9 keeps energy and angular momentum", {
   expect_lt(max(abs(balances$residual)), 1e-7)
   motion$vx[3] <- 0.1
   expect_equal(audit(motion)$verdict[1], "unbalanced")
+  # A figure that grows with the turns, not with a power for each.
+  turns <- trajectory(orbit, 20 * pi * 0:1)
+  whole <- list(x = far[c(1, 1)], y = c(0, 0), vx = c(0, 0), vy = speed[c(1, 1)])
+  expect_lte(over_figure(turns, whole), 1)
+  expect_lt(attr(turns, "run")$info$error, 2e-8)
   # Semi-implicit steps keep the angular momentum to rounding, explicit ones do not.
   step <- function(model) {
     motion <- trajectory(orbit, c(0, 2 * pi), 1, paste0("equations_", model), step_s = 1e-3)

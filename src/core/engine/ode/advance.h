@@ -3,6 +3,8 @@
 #ifndef ROT_ODE_ADVANCE_H
 #define ROT_ODE_ADVANCE_H
 
+#include <stdint.h>
+
 #include "engine/ode/event.h"
 #include "engine/ode/propagation.h"
 #include "engine/ode/kink.h"
@@ -48,6 +50,7 @@ typedef struct rot_ode_stepping {
   rot_ode_trace *trace;             /* its own steps */
   rot_ode_propagation *propagation; /* of its rounding; NULL: not followed */
   rot_ode_trajectory *trajectory;   /* NULL: not kept */
+  uint64_t rounding;                /* the next roundings that a state is moved by; 0: none */
 } rot_ode_stepping;
 
 /* The state becomes a node of all that follows the run. */

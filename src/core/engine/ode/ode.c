@@ -7,6 +7,7 @@
 #include "engine/ode/collocate.h"
 #include "engine/ode/difference.h"
 #include "engine/ode/fixed.h"
+#include "engine/ode/rounding.h"
 #include "engine/ode/stepping.h"
 #include "engine/ode/norm.h"
 #include "ground/real.h"
@@ -67,7 +68,7 @@ static double roundings_of(const rot_ode_job *j, size_t m, size_t steps, double 
   if (!j->propagation || m >= rot_ode_steering(j->p)) return each;
   const double grown = j->propagation->worst[m];
   /* Where it grows by ten decades, the motions of two runs grow differently. */
-  return fmax(each, (grown > 1e-6 * size ? 10.0 : 3.0) * grown);
+  return fmax(each, (grown > 1e-6 * size && !j->propagation->seen ? 10.0 : 3.0) * grown);
 }
 
 /* Without events that change the law, the rows of a fine run of rk8pd take a part of its distance
@@ -223,7 +224,7 @@ static int collocate(const rot_ode_job *coarse, const rot_hooks *hooks, rot_info
 }
 
 /* The result by finer runs, of which the first divides the steps of the coarse one into `parts`.
- * `scratch`: dim, then twice the integrals of the last two. */
+ * `scratch`: dim, then twice the integrals of the last two, then twice dim. */
 static void refine(rot_ode_job coarse, size_t parts, double tolerance, int stepwise,
                    rot_ode_trace traces[2][2], double *scratch, const rot_hooks *hooks,
                    rot_info *info) {
@@ -242,11 +243,15 @@ static void refine(rot_ode_job coarse, size_t parts, double tolerance, int stepw
     fine.trace = traces[other];
     fine.rows.slope =
         corrections(&fine) ? NULL : out.slope; /* slopes are those of the rows as they stay */
-    for (size_t i = 0; out.slope && i < out.n; i++) out.slope[i] = NAN;
     fine.largest = out.largest;
     fine.errors.missed = scratch + (1 + other) * p->dim;
     fine.budget = p->max_steps;
     fine.tolerance = fmax(MIN_FINE, 8.0 * first / rot_ode_gain(fine.method, (double)parts));
+    if (k == 0 && info->status == ROT_OK && rot_ode_roundings_rule(&coarse)) {
+      rot_ode_see_roundings(&coarse, &fine, traces, scratch + 3 * p->dim, scratch, hooks, info);
+      if (is_over(info->status)) return;
+    }
+    for (size_t i = 0; out.slope && i < out.n; i++) out.slope[i] = NAN;
     rot_ode_run_once(&fine, hooks, info);
     if (is_over(info->status)) return;
     /* A step's rounding beside what its error test allows. */
@@ -283,7 +288,7 @@ static rot_status solve(const rot_ode_params *p, rot_ode_surfaces *surfaces, rot
   rot_ode_trace traces[3][2] = {
       {{.count = 0}}}; /* of the run that chose the steps, of the last two */
   rot_ode_trajectory tracks[2] = {{.slid = 0}};
-  double *scratch = calloc(7 * dim + 1, sizeof *scratch), tolerance;
+  double *scratch = calloc(9 * dim + 1, sizeof *scratch), tolerance;
   size_t parts = first_parts(p, &tolerance);
   rot_ode_kinks kinks = {0, 0, NULL, 0};
   rot_ode_params split = *p;

@@ -12,6 +12,7 @@ enum { ROT_ODE_MAX_PROPAGATION = 32 }; /* controlled components; with more it is
 typedef struct rot_ode_propagation {
   size_t n;
   int known; /* slope0 holds the derivative at the step's start */
+  int seen;  /* `worst` is of runs that were moved (rounding.h) */
   double *spread, *derivative0, *derivative1, *map, *work; /* n x n each, but work */
   double *y, *f;                                           /* dim each */
   double *worst;                                           /* of each group */

@@ -378,6 +378,7 @@ rot_status rot_ode_run_once(rot_ode_job *job, const rot_hooks *hooks, rot_info *
   run.budget = job->budget;
   run.errors = errors;
   run.propagation = job->reference ? NULL : job->propagation;
+  run.rounding = job->rounding;
   run.state.largest = job->largest;
   run.law.surfaces = job->surfaces;
   run.law.slides = NO_SURFACE;

@@ -23,8 +23,9 @@ typedef struct rot_ode_job {
   rot_ode_probes *probes;           /* the same; NULL: none */
   double *largest;                  /* of each measure */
   rot_ode_errors errors;
-  int stiff;      /* in: look for it; out: found */
-  int first_mode; /* *p->mode at the start */
+  int stiff;         /* in: look for it; out: found */
+  int first_mode;    /* *p->mode at the start */
+  unsigned rounding; /* > 0: each state is moved by one, other ones for each number */
 } rot_ode_job;
 
 rot_status rot_ode_run_once(rot_ode_job *job, const rot_hooks *hooks, rot_info *info);
