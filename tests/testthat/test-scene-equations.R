@@ -51,7 +51,7 @@ test_that("an orbit of eccentricity 0.9 keeps energy and angular momentum", {
   motion$vx[3] <- 0.1
   expect_equal(audit(motion)$verdict[1], "unbalanced")
   # A figure that grows with the turns, not with a power for each.
-  turns <- trajectory(orbit, 20 * pi * 0:1)
+  turns <- trajectory(orbit, 20 * pi * 0:1, 1e-8)
   whole <- list(x = far[c(1, 1)], y = c(0, 0), vx = c(0, 0), vy = speed[c(1, 1)])
   expect_lte(over_figure(turns, whole), 1)
   expect_lt(attr(turns, "run")$info$error, 2e-8)
