@@ -136,12 +136,13 @@ rest_of_motion <- function(scene, rates, call, last = 30) {
       i = "{.fn trajectory} and {.fn motion_events} show its stops."
     ), "model", call)
   }
-  run <- function(time_s) {
-    suppressWarnings(compute_trajectory(scene, time_s, 1e-9, NULL, "abort", 1e6, call))
+  run <- function(time_s, max_steps = 1e6) {
+    suppressWarnings(compute_trajectory(scene, time_s, 1e-9, NULL, "abort", max_steps, call))
   }
   for (k in 0:last) {
     motion <- tryCatch(
-      run(max(scene$start_s, changes) + 4^k), rotdyn_error_budget = function(e) NULL
+      run(max(scene$start_s, changes) + 4^k, if (k < 10) 1e6 else 1e4),
+      rotdyn_error_budget = function(e) NULL
     )
     if (is.null(motion)) return(NULL)
     if (all(vapply(rates, function(name) all(motion[[name]] == 0), NA))) {
