@@ -86,6 +86,12 @@ test_that("stiff motions: published values, and another integrator's", {
   expect_equal(motion$a[2], 0.7158270688, tolerance = 1e-9)
   expect_equal(motion$b[2] * 1e5, 0.9185534765, tolerance = 1e-9)
   expect_equal(audit(motion)$verdict, "balanced")
+  # At 1e11 s, the test set's value: the figure is known though the maps of a step have 1e14.
+  late <- list(a = c(1, 2.083340149701255e-08), b = c(0, 8.333360770334713e-14),
+               c = c(0, 0.999999979166505))
+  motion <- trajectory(reaction, c(0, 1e11), 1e-6)
+  expect_lte(over_figure(motion, late), 1)
+  expect_lt(run_of(motion)$info$error, 1e-6)
   # deSolve::ode(c(prey = 10, predator = 5), c(0, 10), function(t, y, p) list(c(y[1] - 0.1 * y[1] *
   # y[2], 0.075 * y[1] * y[2] - 1.5 * y[2])), NULL, "radau", rtol = 1e-13, atol = 1e-13)
   skip_if_not_installed("deSolve")

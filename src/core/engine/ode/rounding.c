@@ -14,7 +14,7 @@ int rot_ode_roundings_rule(const rot_ode_job *coarse) {
   const rot_ode_params *p = coarse->p;
   const rot_ode_propagation *g = coarse->propagation;
   int rule = 0;
-  if (!g || coarse->method != ROT_METHOD_RK8PD || p->turn) return 0;
+  if (!g || p->turn) return 0;
   for (size_t m = 0; m < rot_ode_steering(p); m++) {
     rule = rule || !(3.0 * g->worst[m] <= p->accuracy * coarse->largest[m]);
   }
