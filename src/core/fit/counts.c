@@ -47,9 +47,21 @@ void rot_fit_squares(size_t n, size_t m, double variance, const double j[], doub
   for (size_t i = 0; i < n; i++) add_row(m, variance, j + i * m, to);
 }
 
-/* `part` of the covariance where the motion is `off` from the estimate. */
-static void add_counts(const rot_fit_counts *c, const double off[], double part,
-                       const double inverse[], double to[], double wave[]) {
+int rot_fit_counts_moved(const rot_fit_counts *c, const double root[]) {
+  const size_t m = c->m;
+  double farthest = 0.0;
+  for (size_t i = 0; i < c->n; i++) {
+    for (size_t k = 0; k < m; k++) {
+      double moved = 0.0;
+      for (size_t q = 0; q < m; q++) moved += c->j[i * m + q] * root[q * m + k];
+      farthest = fmax(farthest, fabs(moved) * weight_of(c, i) * c->unit);
+    }
+  }
+  return farthest > 0.02 * c->count;
+}
+
+void rot_fit_counts_covariance(const rot_fit_counts *c, const double off[], const double inverse[],
+                               double to[], double wave[]) {
   const size_t m = c->m;
   const double d = c->count / c->unit, before = noise_before(c) / (c->count * c->count);
   double left = d * d * (1.0 / 12.0 + before), largest[ROT_FIT_UNKNOWNS] = {0};
@@ -68,8 +80,8 @@ static void add_counts(const rot_fit_counts *c, const double off[], double part,
         odd[q] += row[q] * sine;
       }
     }
-    add_row(m, part * size, even, to);
-    add_row(m, part * size, odd, to);
+    add_row(m, size, even, to);
+    add_row(m, size, odd, to);
     for (size_t a = 0; a < m; a++) {
       double x = 0.0, y = 0.0;
       for (size_t b = 0; b < m; b++) {
@@ -80,34 +92,9 @@ static void add_counts(const rot_fit_counts *c, const double off[], double part,
     }
     left -= size;
   }
-  for (size_t a = 0; a < m; a++) wave[a] += part * largest[a];
+  for (size_t a = 0; a < m; a++) wave[a] += largest[a];
   for (size_t i = 0; i < c->n; i++) {
     const double weight = weight_of(c, i);
-    add_row(m, part * left / (weight * weight), c->j + i * m, to);
-  }
-}
-
-/* At the estimate, or, where its error moves a sample by more than a fiftieth of a count, the mean
- * over points of that error. */
-void rot_fit_counts_covariance(const rot_fit_counts *c, const double root[], const double inverse[],
-                               double to[], double wave[]) {
-  const size_t m = c->m;
-  double off[ROT_FIT_UNKNOWNS] = {0}, farthest = 0.0;
-  for (size_t i = 0; i < c->n; i++) {
-    for (size_t k = 0; k < m; k++) {
-      double moved = 0.0;
-      for (size_t q = 0; q < m; q++) moved += c->j[i * m + q] * root[q * m + k];
-      farthest = fmax(farthest, fabs(moved) * weight_of(c, i) * c->unit);
-    }
-  }
-  if (!(farthest > 0.02 * c->count)) {
-    add_counts(c, off, 1.0, inverse, to, wave);
-    return;
-  }
-  for (size_t k = 0; k < 2 * m; k++) {
-    for (size_t q = 0; q < m; q++) {
-      off[q] = (k % 2 ? -1.0 : 1.0) * sqrt((double)m) * root[q * m + k / 2];
-    }
-    add_counts(c, off, 0.5 / (double)m, inverse, to, wave);
+    add_row(m, left / (weight * weight), c->j + i * m, to);
   }
 }

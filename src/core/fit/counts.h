@@ -18,9 +18,13 @@ typedef struct rot_fit_counts {
 /* => 1: the rounding of the counts rules their errors (j is not read) */
 int rot_fit_counts_rule(const rot_fit_counts *counts);
 
-/* (inverse of j'j, `root` root' = inverse) => to += covariance of j'e for the errors e of the
- * counts; wave += variance of each variable by the harmonic that has the largest */
-void rot_fit_counts_covariance(const rot_fit_counts *counts, const double root[],
+/* (`root` root': a covariance of the variables) => 1: an error of that size moves a sample by more
+ * than a fiftieth of a count, and its error by counts with it */
+int rot_fit_counts_moved(const rot_fit_counts *counts, const double root[]);
+
+/* (where the motion is `off` from the estimate; inverse of j'j) => to += covariance of j'e for the
+ * errors e of the counts; wave += variance of each variable by the harmonic that has the largest */
+void rot_fit_counts_covariance(const rot_fit_counts *counts, const double off[],
                                const double inverse[], double to[], double wave[]);
 
 /* to += variance times j'j, of n rows of m */

@@ -558,13 +558,66 @@ static rot_status find_noise(work *w, double r[], double j[], int *same) {
   return status;
 }
 
+/* Cholesky's factor; where the variance left is of rounding, 0. */
+static void factor_of_covariance(size_t m, const double e[], double root[]) {
+  for (size_t a = 0; a < m; a++) {
+    for (size_t b = 0; b < m; b++) {
+      double sum = b <= a ? e[a * m + b] : 0.0;
+      for (size_t k = 0; k < b && b <= a; k++) sum -= root[a * m + k] * root[b * m + k];
+      if (b == a)
+        root[a * m + a] = sum > 1e-13 * e[a * m + a] ? sqrt(sum) : 0.0;
+      else
+        root[a * m + b] = b < a && root[b * m + b] > 0.0 ? sum / root[b * m + b] : 0.0;
+    }
+  }
+}
+
+enum { PASSES = 2 };
+typedef double square[ROT_FIT_UNKNOWNS * ROT_FIT_UNKNOWNS];
+
+/* (derivatives, inverse of their squares, variables off by so much) => e, the covariance by counts
+ * there; wave += */
+static void covariance_at(work *w, const double r[], const double j[], const double c[],
+                          const double off[], square e, double wave[]) {
+  const size_t m = w->n_free, priors = w->n_residuals - w->n_priors;
+  square half;
+  memset(e, 0, m * m * sizeof *e);
+  for (size_t k = 0; k < w->n_series; k++) {
+    const series *s = &w->series[k];
+    const double *rows = j + s->first * m;
+    if (s->counted) {
+      const rot_fit_counts counts = counts_of(w, s, s->noise->sigma, r + s->first, rows);
+      rot_fit_counts_covariance(&counts, off, c, e, wave);
+    } else {
+      rot_fit_squares(s->n, m, w->size * w->size, rows, e);
+    }
+  }
+  rot_fit_squares(w->n_priors, m, w->size * w->size, j + priors * m, e);
+  (void)rot_expm_multiply(m, c, e, half, NULL);
+  (void)rot_expm_multiply(m, half, c, e, NULL);
+}
+
+static int counts_moved(work *w, const double r[], const double j[], const double root[]) {
+  int moved = 0;
+  for (size_t k = 0; k < w->n_series && !moved; k++) {
+    const series *s = &w->series[k];
+    if (!s->counted) continue;
+    const rot_fit_counts counts =
+        counts_of(w, s, s->noise->sigma, r + s->first, j + s->first * w->n_free);
+    moved = rot_fit_counts_moved(&counts, root);
+  }
+  return moved;
+}
+
 /* The covariance of the least-squares estimate for the errors of counts, and its factor. The
- * estimate itself is that of white noise. */
+ * estimate itself is that of white noise. Where the motion lies between the counts, and with it the
+ * covariance, is known to the estimate's error alone: at points of that error the mean covariance,
+ * with the largest variance of each variable. The error is that of white noise at first, then what
+ * it led to. */
 static rot_status put_counts(work *w, double r[], double j[]) {
   const size_t m = w->n_free, p = w->problem->n_unknowns;
-  double c[ROT_FIT_UNKNOWNS * ROT_FIT_UNKNOWNS], e[ROT_FIT_UNKNOWNS * ROT_FIT_UNKNOWNS] = {0};
-  double half[ROT_FIT_UNKNOWNS * ROT_FIT_UNKNOWNS], wave[ROT_FIT_UNKNOWNS] = {0};
-  double root[ROT_FIT_UNKNOWNS * ROT_FIT_UNKNOWNS];
+  square c, e, root, mean;
+  double wave[ROT_FIT_UNKNOWNS];
   int some = 0;
   for (size_t k = 0; k < w->n_series; k++) some |= w->series[k].counted;
   if (!some || m == 0) return ROT_OK;
@@ -578,32 +631,33 @@ static rot_status put_counts(work *w, double r[], double j[]) {
       root[a * m + b] = w->fit->factor[at] / w->size;
     }
   }
-  for (size_t k = 0; k < w->n_series; k++) {
-    const series *s = &w->series[k];
-    const double *rows = j + s->first * m;
-    if (s->counted) {
-      const rot_fit_counts counts = counts_of(w, s, s->noise->sigma, r + s->first, rows);
-      rot_fit_counts_covariance(&counts, root, c, e, wave);
-    } else {
-      rot_fit_squares(s->n, m, w->size * w->size, rows, e);
+  for (int pass = 0; pass < PASSES; pass++) {
+    const size_t points = counts_moved(w, r, j, root) ? 2 * m : 1;
+    double largest[ROT_FIT_UNKNOWNS] = {0};
+    memset(mean, 0, sizeof mean);
+    memset(wave, 0, sizeof wave);
+    for (size_t k = 0; k < points; k++) {
+      double off[ROT_FIT_UNKNOWNS] = {0};
+      for (size_t q = 0; q < m && points > 1; q++) {
+        off[q] = (k % 2 ? -1.0 : 1.0) * sqrt((double)m) * root[q * m + k / 2];
+      }
+      covariance_at(w, r, j, c, off, e, wave);
+      for (size_t a = 0; a < m; a++) largest[a] = fmax(largest[a], e[a * m + a]);
+      for (size_t q = 0; q < m * m; q++) mean[q] += e[q] / (double)points;
     }
+    for (size_t a = 0; a < m; a++) {
+      if (mean[a * m + a] > 0.0)
+        w->fit->wave[w->free_at[a]] = fmin(wave[a] / ((double)points * mean[a * m + a]), 1.0);
+      largest[a] = mean[a * m + a] > 0.0 ? sqrt(largest[a] / mean[a * m + a]) : 1.0;
+    }
+    for (size_t q = 0; q < m * m; q++) mean[q] *= largest[q / m] * largest[q % m];
+    factor_of_covariance(m, mean, root);
   }
-  const size_t priors = w->n_residuals - w->n_priors;
-  rot_fit_squares(w->n_priors, m, w->size * w->size, j + priors * m, e);
-  (void)rot_expm_multiply(m, c, e, half, NULL);
-  (void)rot_expm_multiply(m, half, c, e, NULL);
   for (size_t a = 0; a < m; a++) {
-    if (e[a * m + a] > 0.0) w->fit->wave[w->free_at[a]] = fmin(wave[a] / e[a * m + a], 1.0);
     for (size_t b = 0; b < m; b++) {
-      w->fit->covariance[w->free_at[a] * p + w->free_at[b]] = e[a * m + b];
-      /* Cholesky's factor; where the variance left is of rounding, 0. */
-      double sum = b <= a ? e[a * m + b] : 0.0;
-      for (size_t k = 0; k < b && b <= a; k++) sum -= half[a * m + k] * half[b * m + k];
-      if (b == a)
-        half[a * m + a] = sum > 1e-13 * e[a * m + a] ? sqrt(sum) : 0.0;
-      else
-        half[a * m + b] = b < a && half[b * m + b] > 0.0 ? sum / half[b * m + b] : 0.0;
-      w->fit->factor[w->free_at[a] * p + w->free_at[b]] = half[a * m + b];
+      const size_t at = w->free_at[a] * p + w->free_at[b];
+      w->fit->covariance[at] = mean[a * m + b];
+      w->fit->factor[at] = root[a * m + b];
     }
   }
   return ROT_OK;
