@@ -137,7 +137,10 @@ search_column <- function(read, slopes, column, time_s) {
       slope[turns + 1L]
     )
   }
-  flat <- if (is.null(slope)) logical(length(time_s)) else slope == 0
+  # At rest, and where what fades has come to its end within rounding.
+  same <- abs(diff(value)) <= 4 * .Machine$double.eps * abs(value[-1])
+  flat <- c(FALSE, same) | c(same, FALSE)
+  if (!is.null(slope)) flat <- flat | slope == 0
   all <- c(time_s, at)
   order <- order(all)
   list(

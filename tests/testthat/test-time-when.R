@@ -153,3 +153,41 @@ test_that("a passage long after the first swings is found where a torque begins"
   s <- found - 3000
   expect_equal(5 * (1 - cos(s)) + 0.1 * cos(found), 8, tolerance = 1e-9)
 })
+
+test_that("the value at which geared rotors come to rest is reached once, when they do", {
+  # One wheel in the end: J = sum J_i/N_i^2, stopped by torque and friction of both.
+  inertia <- c(0.4, 0.027)
+  ratio <- 0.326
+  drive <- scene_drive(
+    inertia, coupling_gear(ratio), torque = list(0.46, -0.5),
+    resistance = list(resistance(coulomb_n_m = 0.48), resistance(coulomb_n_m = 0.6)),
+    theta0_rad = -2.52, omega0_rad_per_s = 3.7
+  )
+  whole <- inertia[1] + inertia[2] / ratio^2
+  slows <- (0.48 - 0.46 + (0.6 + 0.5) / ratio) / whole
+  stop_s <- 3.7 / slows
+  rest <- -2.52 + 3.7^2 / (2 * slows)
+  # Within rounding the value lies on either side of the rest.
+  for (off in c(-4, -2, 0, 2, 4) * .Machine$double.eps) {
+    value <- rest * (1 + off) / ratio
+    got <- time_when(drive, theta_rad = value, rotor = 2, occurrence = "all", until_s = 9)
+    expect_equal(got$time_s, stop_s, tolerance = 1e-7)
+    first <- time_when(drive, theta_rad = value, rotor = 2)
+    expect_equal(first$time_s, stop_s, tolerance = 1e-7)
+  }
+})
+
+test_that("a terminal speed is reached once, within rounding", {
+  for (seed in 1:8) {
+    set.seed(seed)
+    c <- runif(1, 0.5, 2)
+    torque <- runif(1, 1, 3)
+    inertia <- runif(1, 0.03, 0.1)
+    wheel <- scene_axle(inertia, torque, resistance(c), omega0_rad_per_s = runif(1, -5, 0))
+    end <- trajectory(wheel, 9)$omega_rad_per_s
+    got <- time_when(wheel, omega_rad_per_s = end, occurrence = "all", until_s = 9)
+    expect_equal(nrow(got), 1)
+    # exp(-c t/J) is below the rounding.
+    expect_gt(got$time_s, 30 * inertia / c)
+  }
+})
