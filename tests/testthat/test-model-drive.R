@@ -873,3 +873,21 @@ test_that("bodies locked by a clutch swing under quadratic drag on one of them",
     expect_lt(max(tapply(first, swing, function(x) diff(range(x)) / abs(x[1]))), 1e-8)
   }
 })
+
+test_that("a clutch is open before it acts and after, whatever holds the rotors", {
+  # 1 N m of the sinusoid on rotor 1, 4 N m of each brake: nothing moves.
+  for (brake in list(list(brake(4), brake(4)), list(brake(4), NULL))) {
+    held <- scene_drive(
+      c(1, 1), coupling_clutch(5, from_s = 1, to_s = 3), brake = brake,
+      torque = list(torque_sinusoid(1, 1), NULL)
+    )
+    motion <- trajectory(held, c(0, 0.5, 1, 2, 2.9, 3, 4))
+    expect_identical(
+      motion$locked[motion$rotor == 1], c(FALSE, FALSE, TRUE, TRUE, TRUE, FALSE, FALSE)
+    )
+    expect_identical(unique(motion$omega_rad_per_s), 0)
+    events <- motion_events(motion)
+    expect_equal(events$time_s, c(1, 3))
+    expect_identical(as.character(events$event), c("lock", "slip"))
+  }
+})

@@ -153,10 +153,21 @@ static int open_up(const rot_drive_system *s, signed char mode[]) {
   return found;
 }
 
+/* A clutch that does not act is open, also between units that are held: nothing locks it. Only its
+ * mode changes, since it carries nothing where it sticks. */
+static void open_idle(const rot_drive_system *s, double t, signed char mode[]) {
+  for (size_t k = 0; k < s->n_contacts; k++) {
+    const size_t j = s->contact[k].coupling;
+    if (j == SIZE_MAX || mode[k] != ROT_DRIVE_STICKS) continue;
+    const rot_drive_friction *friction = &s->scene->coupling[j].friction;
+    if (!(t >= friction->from_s && t < friction->to_s)) mode[k] = ROT_DRIVE_OPEN;
+  }
+}
+
 /* Starts with all possible contacts sticking; breaks the weakest loose until the margins are
  * positive. */
-rot_status rot_drive_settle(rot_drive_system *s, double t, double y[], signed char mode[],
-                            int breaks, double ahead_s) {
+static rot_status settle_contacts(rot_drive_system *s, double t, double y[], signed char mode[],
+                                  int breaks, double ahead_s) {
   for (size_t k = 0; k < s->n_contacts; k++) {
     const double speed = y[s->contact[k].state];
     mode[k] = speed != 0.0 ? sign_mode(speed) : ROT_DRIVE_STICKS;
@@ -185,4 +196,11 @@ rot_status rot_drive_settle(rot_drive_system *s, double t, double y[], signed ch
     let_go(s, mode, load);
   }
   return ROT_OK;
+}
+
+rot_status rot_drive_settle(rot_drive_system *s, double t, double y[], signed char mode[],
+                            int breaks, double ahead_s) {
+  const rot_status status = settle_contacts(s, t, y, mode, breaks, ahead_s);
+  if (status == ROT_OK) open_idle(s, t, mode);
+  return status;
 }
