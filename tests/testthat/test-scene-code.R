@@ -52,6 +52,26 @@ test_that("R's parser reads each number, where its long doubles meet the middle 
   }
 })
 
+test_that("steps have code, of any number and added to other laws", {
+  set.seed(4)
+  for (n in 1:5) {
+    steps <- torque_steps(sort(runif(n, -5, 5)), rnorm(n))
+    for (law in list(steps, steps + torque_spring(2), 3 * steps)) {
+      scene <- scene_axle(1, law)
+      expect_identical(eval(parse(text = scene_code(scene))), scene)
+    }
+  }
+})
+
+test_that("an attitude given once more is the same, to the last bit", {
+  set.seed(2)
+  for (i in 1:200) {
+    given <- attitude_from(runif(3, -3, 3), "rotation_vector")
+    scene <- scene_free(c(1, 2, 3), c(1, 0, 0), attitude0 = given)
+    expect_identical(eval(parse(text = scene_code(scene))), scene)
+  }
+})
+
 test_that("what no such code makes is refused", {
   law <- scene_axle(1, function(time_s) time_s)
   expect_error(scene_code(law), "R function", class = "rotdyn_error_scene")

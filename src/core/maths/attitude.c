@@ -209,6 +209,8 @@ double rot_attitude_from(rot_attitude_form form, const double x[], const rot_eul
   default:
     for (int i = 0; i < 4; i++) q[i] = x[i];
     length = rot_attitude_unit(q);
+    /* A unit quaternion within its rounding stays as it is: reading it again changes nothing. */
+    for (int i = 0; i < 4 && fabs(length - 1.0) <= 4.0 * ROT_EPS; i++) q[i] = x[i];
   }
   const double off = fabs(length - 1.0);
   return off <= 8.0 * ROT_EPS ? 0.0 : off;

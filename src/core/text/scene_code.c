@@ -92,6 +92,81 @@ static made code_of_sum(const rot_json *laws, int level, line_end end, rot_write
   return CODE;
 }
 
+static const rot_json *argument(const rot_json *arguments, const char *key) {
+  for (const rot_json *one = arguments->first; one; one = one->next) {
+    if (!strcmp(one->key, key)) return one;
+  }
+  return NULL;
+}
+
+static double number_of(const rot_json *node) {
+  double x = NAN;
+  (void)rot_json_number(node, &x);
+  return x;
+}
+
+/* The first, third, ... of the numbers, in the room given. */
+static rot_json every_other(const rot_json *numbers, rot_json room[]) {
+  rot_json out = *numbers;
+  size_t n = 0;
+  for (const rot_json *one = numbers->first; one; one = one->next ? one->next->next : NULL) {
+    if (n) room[n - 1].next = &room[n];
+    room[n] = *one;
+    room[n++].next = NULL;
+  }
+  out.first = room;
+  out.n = n;
+  return out;
+}
+
+/* Knots that hold each torque to the next jump, from 0 before the first to the last one after. */
+static int are_steps(const rot_json *time, const rot_json *torque, const rot_json *outside) {
+  if (!rot_json_numbers(time) || !rot_json_numbers(torque) || !rot_json_numbers(outside)) return 0;
+  if (outside->n != 2 || time->n != torque->n || time->n % 2 == 0) return 0;
+  const double before = number_of(outside->first), after = number_of(outside->first->next);
+  if (before != 0.0 || signbit(before)) return 0;
+  const rot_json *t = time->first, *x = torque->first;
+  for (; t->next; t = t->next->next, x = x->next->next) {
+    if (number_of(t->next) != number_of(t->next->next)) return 0;
+    if (number_of(x) != number_of(x->next)) return 0;
+  }
+  return number_of(x) == after;
+}
+
+/* A number alone as an array of one. */
+static rot_json as_numbers(const rot_json *node, rot_json *one) {
+  rot_json out = *node;
+  if (node->kind == ROT_JSON_ARRAY) return out;
+  *one = *node;
+  one->next = NULL;
+  out.kind = ROT_JSON_ARRAY;
+  out.first = one;
+  out.n = 1;
+  return out;
+}
+
+/* Laws keep what is outside of them as two numbers, for which torque_knots() has words. */
+static made code_of_outside(const rot_json *arguments, const rot_json *outside, int level,
+                            line_end end, rot_writer *to) {
+  const rot_json *times = argument(arguments, "time_s");
+  const rot_json *torques = argument(arguments, "torque_n_m");
+  if (!times || !torques) return NO_CODE;
+  rot_json alone[2];
+  const rot_json time = as_numbers(times, &alone[0]), torque = as_numbers(torques, &alone[1]);
+  if (!are_steps(&time, &torque, outside)) return NO_CODE;
+  rot_json *room = malloc(2 * time.n * sizeof *room);
+  if (!room) return NO_CODE;
+  rot_json input[2] = {every_other(&time, room), every_other(&torque, room + time.n)};
+  rot_json steps = *arguments;
+  steps.first = input;
+  steps.n = 2;
+  input[0].next = &input[1];
+  input[1].next = NULL;
+  const made done = code_of_call("torque_steps", &steps, "", level, end, to);
+  free(room);
+  return done;
+}
+
 static made code_of_made(const char *constructor, const rot_json *arguments, int level,
                          line_end end, rot_writer *to) {
   rot_made m;
@@ -104,9 +179,9 @@ static made code_of_made(const char *constructor, const rot_json *arguments, int
   if (strncmp(constructor, "rot_", 4) == 0 || strcmp(constructor, "torque_term") == 0) {
     return NO_CODE;
   }
-  for (const rot_json *one = arguments->first; one; one = one->next) {
-    /* What laws become when they are added: torque_knots() takes words there. */
-    if (!strcmp(one->key, "outside") && one->kind == ROT_JSON_ARRAY) return NO_CODE;
+  const rot_json *outside = argument(arguments, "outside");
+  if (outside && outside->kind == ROT_JSON_ARRAY) {
+    return code_of_outside(arguments, outside, level, end, to);
   }
   return code_of_call(constructor, arguments, "", level, end, to);
 }

@@ -43,6 +43,21 @@ static void check_code(void) {
          " [{\"torque_spring\": {\"stiffness_n_m_per_rad\": 2}}, 3]}}]}}",
          "scene_drive(\n  bodies = c(1, 2),\n  torque = list(\n    NULL,\n"
          "    torque_spring(stiffness_n_m_per_rad = 2) + torque_constant(3)\n  )\n)");
+  /* Steps are kept as knots; others that differ outside have no constructor. */
+  EXPECT(
+      "{\"scene_axle\": {\"body\": 1, \"torque\": {\"torque_knots\": {\"time_s\": [1, 2, 2, 3, 3],"
+      " \"torque_n_m\": [4, 4, 5, 5, 6], \"outside\": [0, 6]}}}}",
+      "scene_axle(\n  body = 1,\n"
+      "  torque = torque_steps(time_s = c(1, 2, 3), torque_n_m = c(4, 5, 6))\n)");
+  EXPECT("{\"torque_knots\": {\"time_s\": [1, 2, 2], \"torque_n_m\": [4, 4, 5],"
+         " \"outside\": [1, 5]}}",
+         "none");
+  EXPECT("{\"torque_knots\": {\"time_s\": [1, 2, 2], \"torque_n_m\": [4, 3, 5],"
+         " \"outside\": [0, 5]}}",
+         "none");
+  EXPECT("{\"torque_knots\": {\"time_s\": [1, 2, 3], \"torque_n_m\": [4, 4, 5],"
+         " \"outside\": [0, 5]}}",
+         "none");
   EXPECT(
       "{\"torque_polynomial\": {\"breaks_s\": [0, 1, 2], \"coefficients\": [[1, 2], [0, 1]]}}",
       "torque_polynomial(\n  breaks_s = c(0, 1, 2),\n  coefficients = rbind(c(1, 2), c(0, 1))\n)");
