@@ -27,7 +27,8 @@
 #'   with a row for each rotor of a drive. On an incline also `terminal_v_m_per_s`: where the body
 #'   never stops, `stop_time_s` is Inf, the place is NaN, and the speed is what it tends to,
 #'   infinite where it is accelerated for good.
-#' @section Warnings: `rotdyn_warning_range` where the angle of a stop is beyond double precision.
+#' @section Warnings: `rotdyn_warning_range` where the angle of a stop is beyond double precision;
+#'   `rotdyn_warning_slack` where the rope of a hanging mass would have to push.
 #' @section Errors: `rotdyn_error_type`; `rotdyn_error_range` where the motion to the stop is beyond
 #'   double precision; `rotdyn_error_model` where the closed form does not fit
 #'   (see [choose_model()], model `axle_drag`), where a law changes in time or is a function, and
@@ -62,7 +63,9 @@ stopping <- function(scene, ...) {
   check_scene(scene, call)
   constraint <- constraint_of(scene)
   if (is.null(constraint$stops)) abort_never_rests(scene, call)
-  constraint$stops(scene, call)
+  stops <- constraint$stops(scene, call)
+  warn_of_end(scene, NULL, call)
+  stops
 }
 
 # ---- in closed form -----------------------------------------------------------------------------

@@ -114,6 +114,8 @@ test_that("held at rest the tensions are the weights; a slowed one tells a slack
   expect_lt(brake$tension_n[1], 0)
   expect_match(tibble::tbl_sum(brake)[["Not valid"]], "slack from 3 s on.*-97.548")
   expect_warning(time_when(wound, omega_rad_per_s = 0), class = "rotdyn_warning_slack")
+  expect_warning(stop <- stopping(wound), "slack from 3 s on", class = "rotdyn_warning_slack")
+  expect_equal(stop$stop_time_s, 3 + 50 / alpha, tolerance = 1e-14)
 })
 
 test_that("the limit of a slack rope is where the tension is 0, on both sides", {
