@@ -129,7 +129,7 @@ asked_value <- function(scene, dots, call) {
         "Name the body, too.", i = "Such as {.code {index} = 2}, from 1 to {maximum}."
       ), "type", call)
     }
-    body <- as.integer(check_number(dots[[index]] %||% 1, index, "1", call, 1, maximum))
+    body <- as.integer(check_whole(dots[[index]] %||% 1, index, call, 1, maximum))
   }
   # Those of shaft 3, 4, ... are listed as those of 2.
   listed <- sub("^rotor_[0-9]+_", "rotor_1_", sub("^(theta|omega)_[0-9]+_", "\\1_2_", columns))

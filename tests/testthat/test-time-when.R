@@ -108,6 +108,8 @@ test_that("errors", {
   expect_error(time_when(scene_rotors(c(1, 1), 1), rotor = 1, 3), class = "rotdyn_error_type")
   expect_error(time_when(scene_rotors(c(1, 1), 1), theta_rad = 3, rotor = 3),
     class = "rotdyn_error_value")
+  expect_error(time_when(scene_rotors(c(1, 1), 1), theta_rad = 3, rotor = 1.5), "whole number",
+    class = "rotdyn_error_value")
 })
 
 test_that("passages of a shaft that swings fast, and drifts", {
