@@ -306,7 +306,11 @@ read_arguments <- function(name, read, x, call) {
   }
   arguments <- Map(read_argument, x, names(x), list(call))
   tryCatch(
-    do.call(read, arguments, quote = TRUE),
+    withCallingHandlers(do.call(read, arguments, quote = TRUE), rotdyn_warning = function(w) {
+      w$call <- rlang::error_call(call)
+      warning(w)
+      invokeRestart("muffleWarning")
+    }),
     rotdyn_error_scene = function(e) rlang::cnd_signal(e),
     rotdyn_error = function(e) {
       abort_rotdyn("{.val {name}} refuses what the text says.", "scene", call, parent = e)

@@ -457,3 +457,12 @@ test_that("a law or a resistance of zeros alone is the scene without it", {
   # What begins or ends with zero is a law.
   expect_false(scene_hash(scene_axle(1, torque_knots(c(0, 1), c(0, 1)))) == bare)
 })
+
+test_that("warnings of the constructors name the call that reads", {
+  text <- '{"scene_format": 1, "scene_free": {"body": [1, 2, 3], "omega0_rad_per_s": [1, 0, 0],
+    "attitude0": [0.9, 0.1, 0, 0]}}'
+  file <- withr::local_tempfile(lines = text)
+  said <- expect_warning(scene <- read_scene(file), class = "rotdyn_warning_normalised")
+  expect_identical(conditionCall(said), quote(read_scene(file)))
+  expect_equal(scene$attitude0[1], 0.9 / sqrt(0.82), tolerance = 1e-15)
+})
