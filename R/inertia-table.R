@@ -25,7 +25,7 @@
 #'   The first moment is about `axis`, with its `formula`, and is that of [moment_of_inertia()] and
 #'   of scenes; the other three are about the centre of mass, along the own axes. `beta` is NA for
 #'   bodies that do not roll; a row with only `beta` has no other moments (NA). NA in a row's mass
-#'   or sizes gives NA in that row's results.
+#'   or sizes gives NA in that row's results, NaN gives NaN and Inf the limit of the formula.
 #'   Each moment has at most 25 roundings (3e-15; 2 to 5 for most shapes), for sizes in ratios of up
 #'   to 1e300 and any mass.
 #' @section Warnings: `rotdyn_warning_range` where finite numbers give a result beyond double
