@@ -891,3 +891,38 @@ test_that("a clutch is open before it acts and after, whatever holds the rotors"
     expect_identical(as.character(events$event), c("lock", "slip"))
   }
 })
+
+test_that("implicit steps begin at rest at a kink of a torque curve", {
+  expect_agrees <- function(inertia, shaft, torque, curve, theta0_rad, unit_s, start_s) {
+    unit_n_m <- 7 / unit_s^2
+    scene <- scene_drive(
+      inertia,
+      list(
+        coupling_shaft(shaft[1] * unit_n_m, shaft[2] * unit_n_m * unit_s, ratio = -3),
+        coupling_gear(-1)
+      ),
+      torque = list(
+        NULL, -torque * unit_n_m,
+        torque_curve(c(-10, 0, 3, 10) / unit_s, -curve[1] * unit_n_m * c(1, 1, curve[2], -1))
+      ),
+      resistance = list(0.12 * unit_n_m * unit_s, NULL, NULL), theta0_rad = theta0_rad,
+      start_s = start_s
+    )
+    time_s <- start_s + unit_s * c(0, 0.58, 1.23, 4.16, 8.77)
+    explicit <- trajectory(scene, time_s, model = "drive_rk8pd", accuracy = 1e-11)
+    for (accuracy in c(1e-9, 1e-10)) {
+      implicit <- suppressWarnings(
+        trajectory(scene, time_s, model = "drive_radau", accuracy = accuracy)
+      )
+      errors <- trajectory_run(implicit)$info$errors + trajectory_run(explicit)$info$errors
+      expect_lt(max(abs(implicit$theta_rad - explicit$theta_rad)), errors[["theta"]])
+      expect_lt(max(abs(implicit$omega_rad_per_s - explicit$omega_rad_per_s)), errors[["omega"]])
+    }
+  }
+  expect_agrees(
+    7 * c(0.37, 0.14, 0.22), c(140, 0.38), 1.2, c(0.53, 0.5), c(1.8, -1.2, -1.8), 1e-4, 1e-4
+  )
+  expect_agrees(
+    c(1.51, 1.19, 1.08), c(169, 0.356), 1.25, c(0.321, 0.531), c(2.5, -1.2, -1.8), 10, 0
+  )
+})

@@ -44,8 +44,9 @@ static void allow(rot_ode_stepper *s, double h, const double y[], const double s
     double size = fmax(s->state->largest[m], rot_ode_size(g, y));
     if (s->state->largest[m] == 0.0) size = fabs(h) * rot_ode_rate(g, slope);
     if (g.norm == ROT_ODE_QUATERNION) size = 0.5;
+    const double noise = p->noise ? p->noise[m] * fabs(h) : 0.0;
     for (size_t i = 0; i < g.count; i++) {
-      s->allowed[g.first + i] = fmax(ROT_ODE_MIN_SIZE, s->tolerance * size);
+      s->allowed[g.first + i] = fmax(ROT_ODE_MIN_SIZE, s->tolerance * size + noise);
     }
   }
 }
