@@ -106,6 +106,18 @@ test_that("stiff motions: published values, and another integrator's", {
   expect_equal(c(hunt$prey[2], hunt$predator[2]), unname(peer[2, 2:3]), tolerance = 1e-9)
 })
 
+test_that("long stiff motions reach their accuracy", {
+  scene <- scene_equations(
+    function(time_s, x) -1e4 * (x - cos(time_s)) - sin(time_s), c(x = 1)
+  )
+  for (model in list(NULL, "equations_radau")) {
+    time_s <- seq(0, 30, length.out = 31)
+    expect_no_warning(run <- trajectory(scene, time_s, accuracy = 1e-9, model = model))
+    expect_lt(glance(run)$error, 1e-9) # 1.4e-7 where the order of the steps counts
+    expect_lt(max(abs(run$x - cos(time_s))), glance(run)$error)
+  }
+})
+
 test_that("the same pendulum as a scene of the package, at the same digits", {
   mine <- scene_equations(swing, start, positions = "theta_rad")
   exact <- scene_pendulum(

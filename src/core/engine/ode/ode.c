@@ -35,13 +35,12 @@ static int has_kinks(const rot_ode_job *j) { return j->p->kinks || j->kinks->mis
 #define LOOSE 3e-6
 
 /* The fine run's error is its distance from the coarse one over gain - 1, or more where its own
- * error tests fell by less than the gain; that part is corrected in the rows. Four times it, for
+ * error tests `fell` by less than the gain; that part is corrected in the rows. Four times it, for
  * steps that are not short; 2.5 times where the gain is 3^8 or more. In the last digits the
  * distance is rounding: no finer run makes it less. */
 static double part_of_distance(const rot_ode_job *fine, double ratio, double rounding_fraction,
-                               double coarse_found, double fine_found) {
+                               double fell) {
   if (has_kinks(fine)) return KINK_MARGIN;
-  const double fell = coarse_found > 0.0 ? fine_found / coarse_found / ratio : 0.0;
   const double part = fmax(1.0 / rot_ode_gain(fine->method, ratio), fell);
   const int radau = fine->method == ROT_METHOD_RADAU;
   const double margin = !radau && fine->p->accuracy > LOOSE ? 12.0
@@ -85,20 +84,29 @@ static int corrections(const rot_ode_job *fine) {
 /* In front of a row, where the two runs are compared, too: half a swing or so. */
 enum { PLACES = 4 };
 
-/* error[], and of the groups the largest error relative to the size; *steps: what of it finer steps
- * would lessen; *lost: see above. */
-static double estimate(const rot_ode_job *coarse, const rot_ode_job *fine, const rot_info *info,
-                       double rounding_fraction, double change[], double error[], double *steps,
-                       int *lost) {
+/* Implicit steps' tests filter stiff modes out. Where they show less than this part of a distance,
+ * it is the distance that falls, with the order of the stages, 5, and the tests may be rounding. */
+#define FILTERED 0.01
+
+/* What two runs say of the finer one. */
+typedef struct estimated {
+  double worst;    /* of the groups the largest error relative to the size */
+  double steps;    /* what of it finer steps would lessen */
+  double rounding; /* part of the distance that is rounding, there */
+  int lost;        /* see above */
+} estimated;
+
+/* `rounding`: part of a distance that is rounding, if the error falls with the order. distance[]:
+ * that of the two runs before, 0 if there are none, becomes that of these. => error[] */
+static estimated estimate(const rot_ode_job *coarse, const rot_ode_job *fine, const rot_info *info,
+                          double rounding, double change[], double distance[], double error[]) {
   const rot_ode_params *p = fine->p;
   const double ratio = (double)fine->parts / (double)coarse->parts;
-  double part =
-      part_of_distance(fine, ratio, rounding_fraction, coarse->errors.found, fine->errors.found);
+  estimated found = {0.0, 0.0, rounding, 0};
   const double correction =
       corrections(fine) ? 1.0 / (rot_ode_gain(fine->method, ratio) - 1.0) : 0.0;
   /* Most steps whose error does not fall meet a kink that was not found; fewer where one was. */
   const double resolve = (fine->surfaces->count ? 1.5 : 3.0) * fine->errors.unresolved;
-  double worst = *steps = 0.0;
   memset(error, 0, rot_ode_measures(p) * sizeof *error);
   for (int forward = 0; forward < 2; forward++) {
     const size_t first = forward ? fine->rows.before : 0;
@@ -107,28 +115,38 @@ static double estimate(const rot_ode_job *coarse, const rot_ode_job *fine, const
     rot_ode_differences(&coarse->trace[forward], &fine->trace[forward], fine, forward, first, rows,
                         PLACES, correction, change, error);
   }
-  *lost = 0;
   for (size_t m = 0; m < rot_ode_steering(p); m++) {
     const double difference = error[m] / fine->largest[m];
-    *lost = *lost || difference > LOST;
+    found.lost = found.lost || difference > LOST;
   }
-  if (*lost) part = 1.0;
   for (size_t m = 0; m < rot_ode_measures(p); m++) {
+    const int integral = m >= rot_ode_steering(p);
     const double size = fine->largest[m];
     const double roundings = roundings_of(fine, m, info->steps, size);
-    if (m >= rot_ode_steering(p) && fine->method == ROT_METHOD_RK8PD && !*lost) {
-      error[m] = fmax(error[m], MISSED_PART * coarse->errors.missed[m]);
-      part = part_of_distance(fine, ratio, rounding_fraction, coarse->errors.missed[m],
-                              fine->errors.missed[m]);
+    const rot_ode_errors *first = &coarse->errors, *last = &fine->errors;
+    double of_first = first->found, of_last = last->found, rounded = rounding;
+    if (fine->method == ROT_METHOD_RADAU) {
+      rounded = fmin(rounded, roundings / error[m]);
+      if (distance[m] > 0.0 && of_last * size < FILTERED * error[m]) {
+        of_first = distance[m] / ratio;
+        of_last = error[m];
+      }
+    } else if (integral && !found.lost) {
+      error[m] = fmax(error[m], MISSED_PART * first->missed[m]);
+      of_first = first->missed[m];
+      of_last = last->missed[m];
     }
-    const double lessened = fmax(0.0, part - rounding_fraction) * error[m] + resolve * size;
-    error[m] = part * error[m] + fine->errors.fraction[m] + fine->errors.moved[m] + resolve * size +
-               roundings;
-    if (m >= rot_ode_steering(p) || size == 0.0) continue;
-    *steps = fmax(*steps, lessened / size);
-    worst = fmax(worst, error[m] / size);
+    const double fell = of_first > 0.0 ? of_last / of_first / ratio : 0.0;
+    const double part = found.lost ? 1.0 : part_of_distance(fine, ratio, rounded, fell);
+    distance[m] = error[m];
+    const double lessened = fmax(0.0, part - rounded) * error[m] + resolve * size;
+    error[m] = part * error[m] + last->fraction[m] + last->moved[m] + resolve * size + roundings;
+    if (integral || size == 0.0) continue;
+    found.steps = fmax(found.steps, lessened / size);
+    if (error[m] / size > found.worst) found.rounding = rounded;
+    found.worst = fmax(found.worst, error[m] / size);
   }
-  return worst;
+  return found;
 }
 
 /* Of a coarse run that failed, the steps that lead to the last row it reached. */
@@ -187,7 +205,10 @@ static rot_status split_at_kinks(const rot_ode_params *p, rot_ode_kinks *kinks,
   return ROT_OK;
 }
 
-enum { MAX_RUNS = 4 };
+/* Of finer runs; of those that lessen the error by FAST, as implicit steps do where stiff modes
+ * reduce their order. */
+enum { MAX_RUNS = 4, MAX_FAST_RUNS = 10 };
+#define FAST 0.1
 
 /* The tolerance of the run that chooses the steps, and into how many parts the next divides them:
  * three where the error of the first run is then still small against the motion. The factors are
@@ -228,7 +249,7 @@ static int collocate(const rot_ode_job *coarse, const rot_hooks *hooks, rot_info
 }
 
 /* The result by finer runs, of which the first divides the steps of the coarse one into `parts`.
- * `scratch`: dim, then twice the integrals of the last two, then twice dim. */
+ * `scratch`: dim, the distances, then twice the integrals of the last two, then twice dim. */
 static void refine(rot_ode_job coarse, size_t parts, double tolerance, int stepwise,
                    rot_ode_trace traces[2][2], double *scratch, const rot_hooks *hooks,
                    rot_info *info) {
@@ -236,9 +257,10 @@ static void refine(rot_ode_job coarse, size_t parts, double tolerance, int stepw
   const rot_ode_trace *reference = coarse.trace;
   const rot_ode_output out = coarse.rows;
   const double first = coarse.tolerance;
+  double *distance = scratch + p->dim;
   double last = INFINITY;
   int stalls = 0; /* runs in succession without gain: at one, that before may have been the worse */
-  for (int k = 0; k < MAX_RUNS; k++) {
+  for (int k = 0; k < MAX_FAST_RUNS; k++) {
     /* Not where the coarse run is kept: it may be a finer run than the first. */
     const size_t other = coarse.trace == traces[0];
     rot_ode_job fine = coarse;
@@ -248,11 +270,11 @@ static void refine(rot_ode_job coarse, size_t parts, double tolerance, int stepw
     fine.rows.slope =
         corrections(&fine) ? NULL : out.slope; /* slopes are those of the rows as they stay */
     fine.largest = out.largest;
-    fine.errors.missed = scratch + (1 + other) * p->dim;
+    fine.errors.missed = scratch + (2 + other) * p->dim;
     fine.budget = p->max_steps;
     fine.tolerance = fmax(MIN_FINE, 8.0 * first / rot_ode_gain(fine.method, (double)parts));
     if (k == 0 && info->status == ROT_OK && rot_ode_roundings_rule(&coarse)) {
-      rot_ode_see_roundings(&coarse, &fine, traces, scratch + 3 * p->dim, scratch, hooks, info);
+      rot_ode_see_roundings(&coarse, &fine, traces, scratch + 4 * p->dim, scratch, hooks, info);
       if (is_over(info->status)) return;
     }
     for (size_t i = 0; out.slope && i < out.n; i++) out.slope[i] = NAN;
@@ -261,27 +283,25 @@ static void refine(rot_ode_job coarse, size_t parts, double tolerance, int stepw
     /* A step's rounding beside what its error test allows. */
     const double fraction =
         4e-15 * rot_ode_gain(ROT_METHOD_RK8PD, (double)coarse.parts) / tolerance;
-    double steps;
-    int lost;
-    const double worst =
-        estimate(&coarse, &fine, info, fraction, scratch, out.error, &steps, &lost);
-    stalls = worst > 0.5 * last ? stalls + 1 : 0;
+    const estimated now = estimate(&coarse, &fine, info, fraction, scratch, distance, out.error);
+    const double gained = now.worst / last;
+    stalls = gained > 0.5 ? stalls + 1 : 0;
     if (coarse.probes) {
       rot_ode_probes_sift(coarse.probes, out.error);
       if (coarse.probes->n_sights) return; /* other steps are needed */
     }
-    if (info->status != ROT_OK || worst <= p->accuracy || fraction > 0.3 || stalls == 2 ||
-        steps < 0.5 * worst) {
+    if (info->status != ROT_OK || now.worst <= p->accuracy || now.rounding > 0.3 || stalls == 2 ||
+        now.steps < 0.5 * now.worst || (k + 1 >= MAX_RUNS && !(gained < FAST))) {
       return;
     }
-    last = lost ? INFINITY : worst;
-    const double ratio = pow(1.0 + 2.0 * steps / p->accuracy, 1.0 / 8.0);
+    last = now.lost ? INFINITY : now.worst;
+    const double ratio = pow(1.0 + 2.0 * now.steps / p->accuracy, 1.0 / 8.0);
     const double more = stepwise ? 2.0 : fmin(4.0, ratio);
     const size_t next = (size_t)fmax(ceil(more * (double)parts), (double)parts + 1.0);
     if (info->steps * next > p->max_steps * parts) return;
     parts = next;
     if (coarse.probes) rot_ode_probes_uncover(coarse.probes);
-    if (stepwise || lost) coarse = fine;
+    if (stepwise || now.lost) coarse = fine;
   }
 }
 
@@ -292,7 +312,7 @@ static rot_status solve(const rot_ode_params *p, rot_ode_surfaces *surfaces, rot
   rot_ode_trace traces[3][2] = {
       {{.count = 0}}}; /* of the run that chose the steps, of the last two */
   rot_ode_trajectory tracks[2] = {{.slid = 0}};
-  double *scratch = calloc(9 * dim + 1, sizeof *scratch), tolerance;
+  double *scratch = calloc(10 * dim + 1, sizeof *scratch), tolerance;
   size_t parts = first_parts(p, &tolerance);
   rot_ode_kinks kinks = {0, 0, NULL, 0};
   rot_ode_params split = *p;
