@@ -500,6 +500,7 @@ look_along <- function(run, finest, breaks, call) {
     wrong <- wrong & h > 2^-40 * span
     if (!any(wrong)) break
     if (length(u) + sum(lengths(refined)) / 8 + sum(wrong) > max_places) {
+      if (sum(h[wrong]) > span / 2) abort_unseen_curve(call)
       resolved <- FALSE
       break
     }
@@ -515,6 +516,14 @@ look_along <- function(run, finest, breaks, call) {
   all <- all[!duplicated(all$u), ]
   list(u = all$u, at = as.list(all[-1]), refined = c(refined$u, breaks), finest = if (resolved)
     finest else NA_real_)
+}
+
+abort_unseen_curve <- function(call) {
+  abort_rotdyn(c(
+    "The curve changes faster than {format_si(max_places)} places along it show.",
+    x = "More than half of the path from {.arg from} to {.arg to} is not resolved.",
+    i = "Shorten the path: the motion along a periodic curve repeats."
+  ), "range", call)
 }
 
 # Curvatures have the third power of the speed along the curve.

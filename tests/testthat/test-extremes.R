@@ -306,3 +306,25 @@ test_that("a top's rates and a curve's sizes beyond double precision are named",
   took <- system.time(expect_equal(bowl(5e-324)$time_s, 2))
   expect_lt(took[["user.self"]], 2)
 })
+
+test_that("runs far beyond a budget end early", {
+  ends_early <- function(run, class) {
+    seconds <- system.time(expect_error(run, class = class))[["elapsed"]]
+    expect_lt(seconds, 8) # more than 15 to the end of a budget
+  }
+  clutch <- function(...) {
+    scene <- scene_drive(
+      c(1, 2), coupling_clutch(3), torque = list(torque_motor(2, 1), NULL), resistance = list(...),
+      omega0_rad_per_s = c(1, 0)
+    )
+    trajectory(scene, c(0, 1e80))
+  }
+  ends_early(clutch(resistance(0.1), resistance(0, 0.1)), "rotdyn_error_budget")
+  ends_early(clutch(NULL, resistance(1, 0.1)), "rotdyn_error_budget")
+  chain <- scene_chain(
+    c(1, 1e-80, 1), 1, resistance = resistance(0.1), theta0_rad = c(0.1, 0.2, 0.3)
+  )
+  ends_early(trajectory(chain, c(0, 1)), "rotdyn_error_budget")
+  ends_early(roll_disk(body_disk(1, 0.1), c(0, 1), spin_rad_per_s = 1e80), "rotdyn_error_budget")
+  ends_early(roll_on_curve(curve_cycloid(1), 0, 1e80), "rotdyn_error_range")
+})

@@ -166,6 +166,9 @@ typedef struct rot_time_scales {
   double fades_s, swing_rad_per_s;
 } rot_time_scales;
 
+/* Of these times, those in which the slowest transients fade, too. */
+#define ROT_SETTLED 1e6
+
 typedef struct rot_constraint {
   const char *id;
   const char *const *measures; /* names; the list ends with NULL */

@@ -142,6 +142,7 @@ rot_status rot_rolling_disk_run(const rot_rolling_disk *p, double accuracy, size
                               .start = start,
                               .accuracy = accuracy,
                               .max_steps = 1000000,
+                              .fades_s = INFINITY,
                               .method = ROT_METHOD_RK8PD,
                               .n_events = 1,
                               .events = &flat,

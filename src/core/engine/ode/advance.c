@@ -26,11 +26,14 @@ enum { PROGRESS_STEPS = 10000, PROGRESS_FACTOR = 1000 };
 static int is_out_of_reach(rot_ode_stepping *run, size_t tried) {
   const rot_ode_progress was = run->progress;
   const double t = run->clock.t;
-  if (!(run->p->fades_s > 0.0) || run->p->n_breaks || run->reference.trace) return 0;
+  const double settles_s = run->p->settles_s;
+  const int settled = settles_s > 0.0 && fabs(t - run->p->start_s) > settles_s;
+  if (!(run->p->fades_s > 0.0 || settled) || run->p->n_breaks || run->reference.trace) return 0;
   if (tried < was.tried + PROGRESS_STEPS) return 0;
   run->progress = (rot_ode_progress){tried, t};
   const double periods = (double)(run->budget - tried) / PROGRESS_STEPS;
-  const double left = fmin(run->p->fades_s, fabs(run->clock.end - t));
+  const double to_end = fabs(run->clock.end - t);
+  const double left = settled ? to_end : fmin(run->p->fades_s, to_end);
   return left / PROGRESS_FACTOR > periods * fabs(t - was.t);
 }
 

@@ -93,6 +93,9 @@ typedef struct rot_ode_params {
    * known. If the budget reaches neither this time nor the end at 1000 times the progress of 10000
    * steps, the run fails after these. */
   double fades_s;
+  /* After it losses have acted: what is slow then stays slow, and the end of the run counts instead
+   * of fades_s. 0: not known. */
+  double settles_s;
   int expensive; /* rhs costs more than the arithmetic around it; it reads the state alone */
   /* What rounding grows to is followed to order 4 in the step, and counts at the rows alone; steps
    * of Radau are not looked at by probes. */

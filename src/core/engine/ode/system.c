@@ -140,6 +140,7 @@ rot_status rot_system_run(const rot_system *system, const void *scene, const rot
                               .integrals_between = 1,
                               .kinks = s.dry,
                               .fades_s = s.dry ? 0.0 : time_scales.fades_s,
+                              .settles_s = ROT_SETTLED * time_scales.fades_s,
                               .step_s = rot_ode_is_fixed(method)
                                             ? rot_fixed_task_step_s(task, s.start_s, &time_scales)
                                             : 0.0,

@@ -502,7 +502,7 @@ static int never_rests(const rot_drive_scene *scene) {
 }
 
 /* => rot_ode_params.fades_s: without friction that may hold, with linear losses */
-static double fades_s_of(const motion *m) {
+static double fades_s_of(const motion *m, double shortest_s) {
   const rot_drive_scene *scene = m->s.scene;
   int unknown = m->s.n_contacts || m->s.n_slips || has_kinks(scene) || calls_law(scene);
   for (size_t i = 0; i < scene->n; i++) {
@@ -510,10 +510,8 @@ static double fades_s_of(const motion *m) {
     unknown |= rotor->quadratic_n_m_s2 != 0.0 || rotor->coulomb_n_m != 0.0 ||
                rotor->static_n_m != 0.0 || scene->brake[i].acts;
   }
-  rot_time_scales time_scales;
   if (never_rests(scene)) return INFINITY;
-  rot_drive_time_scales_of_start(scene, &time_scales);
-  return unknown ? 0.0 : time_scales.fades_s;
+  return unknown ? 0.0 : shortest_s;
 }
 
 /* (options, times) => rows, ledger, errors by rot_ode_run(). */
@@ -532,6 +530,8 @@ static rot_status run(motion *m, const rot_drive_ode_options *options, size_t n,
   for (size_t i = 0; i < s->n; i++) offset |= s->scene->rotor[i].linear.theta0_rad != 0.0;
   rot_status status = error && event ? settle_at_start(m) : ROT_ENOMEM;
   if (status == ROT_OK) {
+    rot_time_scales time_scales;
+    rot_drive_time_scales_of_start(s->scene, &time_scales);
     note_noise(m);
     note_state(s->scene->start_s, m->y, m);
     const rot_ode_params ode = {
@@ -560,7 +560,8 @@ static rot_status run(motion *m, const rot_drive_ode_options *options, size_t n,
         .integrals_between = 1,
         .resolution = rot_ode_resolution(calls_law(s->scene), options->resolution),
         .kinks = has_kinks(s->scene),
-        .fades_s = fades_s_of(m),
+        .fades_s = fades_s_of(m, time_scales.fades_s),
+        .settles_s = calls_law(s->scene) ? 0.0 : ROT_SETTLED * time_scales.fades_s,
         .step_s = rot_ode_is_fixed(options->method) ? options->step_s : 0.0,
         .positions = new_positions};
     status = rot_ode_run(&ode, n, time_s, y, NULL, error, error + m->dim, hooks, info);
