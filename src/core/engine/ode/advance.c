@@ -234,6 +234,7 @@ static rot_status look_for_events(rot_ode_stepping *run, double *h, rot_ode_pass
       *run->p->mode = side;
     }
     run->state.slope_known = 0;
+    run->info->rejected++; /* the budget ends a motion that changes sides for ever */
     *what = ROT_ODE_TRY_SHORTER;
     *which = SIZE_MAX;
   }
