@@ -220,8 +220,8 @@ static int correct(rot_radau *r, rot_radau_rhs rhs, void *ctx, double t, double 
   return 0;
 }
 
-/* Below this part of `allowed`, corrections that fall no more are the rounding of f itself: tests of
- * 1e-13 come close to it. */
+/* Below this part of `allowed`, corrections that fall no more are the rounding of f itself: tests
+ * of 1e-13 come close to it. */
 #define STALLED 1e-4
 
 /* Beside a kink a correction may be this part of the one before. */

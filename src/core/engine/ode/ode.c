@@ -59,10 +59,10 @@ static double part_of_distance(const rot_ode_job *fine, double ratio, double rou
 #define MISSED_PART (1.0 / 32.0)
 
 /* Beyond this relative difference the two runs may be different motions, whose distance does not
- * fall as the error of a step does: it counts alone, and a finer run shows whether it falls. Of 1194
- * driven pendulums at accuracies of 1e-4 to 0.1 the truth exceeded the figure in 14, by up to 199
- * times, where a difference of 0.03 and of 300 accuracies was needed; at 0.03 alone in 5, by up to
- * 123; now in 2, by up to 1.5, for 10 % more calls. */
+ * fall as the error of a step does: it counts alone, and a finer run shows whether it falls. The
+ * truth exceeded the figures of 14 of 1194 driven pendulums at accuracies of 1e-4 to 0.1, by up to
+ * 199 times, where a difference of 0.03 and of 300 accuracies was needed; of 5 at 0.03 alone, by up
+ * to 123; now of 2, by up to 1.5, for 10 % more calls. */
 #define LOST 0.003
 
 /* What rounding makes of a measure. */
