@@ -461,7 +461,9 @@ test_that("a law or a resistance of zeros alone is the scene without it", {
 test_that("warnings of the constructors name the call that reads", {
   text <- '{"scene_format": 1, "scene_free": {"body": [1, 2, 3], "omega0_rad_per_s": [1, 0, 0],
     "attitude0": [0.9, 0.1, 0, 0]}}'
-  file <- withr::local_tempfile(lines = text)
+  file <- tempfile(fileext = ".json")
+  on.exit(unlink(file))
+  writeLines(text, file)
   said <- expect_warning(scene <- read_scene(file), class = "rotdyn_warning_normalised")
   expect_identical(conditionCall(said), quote(read_scene(file)))
   expect_equal(scene$attitude0[1], 0.9 / sqrt(0.82), tolerance = 1e-15)

@@ -59,11 +59,11 @@ static double part_of_distance(const rot_ode_job *fine, double ratio, double rou
 #define MISSED_PART (1.0 / 32.0)
 
 /* Beyond this relative difference the two runs may be different motions, whose distance does not
- * fall as the error of a step does: it counts alone, and a finer run shows whether it falls. The
- * truth exceeded the figures of 14 of 1194 driven pendulums at accuracies of 1e-4 to 0.1, by up to
- * 199 times, where a difference of 0.03 and of 300 accuracies was needed; of 5 at 0.03 alone, by up
- * to 123; now of 2, by up to 1.5, for 10 % more calls. */
-#define LOST 0.003
+ * fall as the error of a step does: it counts alone, and a finer run shows whether it falls. At
+ * loose accuracies (LOOSE) a smaller one: the truth exceeded the figures of 14 of 1194 driven
+ * pendulums at 1e-4 to 0.1, by up to 199 times, where 0.03 and 300 accuracies were needed; of 5 at
+ * 0.03 alone, by up to 123; now of 2, by up to 1.5, for 10 % more calls. */
+static double lost_difference(double accuracy) { return accuracy > LOOSE ? 0.003 : 0.03; }
 
 /* What rounding makes of a measure. */
 static double roundings_of(const rot_ode_job *j, size_t m, size_t steps, double size) {
@@ -117,7 +117,7 @@ static estimated estimate(const rot_ode_job *coarse, const rot_ode_job *fine, co
   }
   for (size_t m = 0; m < rot_ode_steering(p); m++) {
     const double difference = error[m] / fine->largest[m];
-    found.lost = found.lost || difference > LOST;
+    found.lost = found.lost || difference > lost_difference(p->accuracy);
   }
   for (size_t m = 0; m < rot_ode_measures(p); m++) {
     const int integral = m >= rot_ode_steering(p);
