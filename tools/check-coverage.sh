@@ -4,11 +4,12 @@
 # free bodies with rotors or without, and for the installed package random R functions as torque
 # laws, narrow changes of such laws, random curves, audits of random motions, bodies at rest on
 # redundant supports, and random gears, drives, rotors, inclines, dry friction, long spans and short
-# pulses, judged in quadruple precision, bodies at rest by linear programs of lpSolve
-# (bench/coverage/). What is estimated from measured records, with correlated noise, counters and
-# quadratic damping among them, is judged by check-measurement.sh. Needs gcc, libquadmath and the R
-# package lpSolve. Without SEED another one is drawn each time. 1000 scenes of each class are 39,000
-# in all: each part ends with the number of its own.
+# pulses, judged in quadruple precision, orbits by Kepler's equation and loosely solved pendulums by
+# Taylor series, bodies at rest by linear programs of lpSolve (bench/coverage/). What is estimated
+# from measured records, with correlated noise, counters and quadratic damping among them, is judged
+# by check-measurement.sh. Needs gcc, libquadmath and the R package lpSolve. Without SEED another one
+# is drawn each time. 1000 scenes of each class are 41,000 in all: each part ends with the number of
+# its own.
 #   check-coverage.sh [SCENES of each class [SEED]]
 set -eu
 cd "$(dirname "$0")/.."
@@ -40,6 +41,7 @@ Rscript bench/coverage/laws.R "$build/laws" "$((${1:-1000} / 4))" "$seed" || bad
 Rscript bench/coverage/curves.R "$build/curves" "${1:-1000}" "$seed" || bad=1
 Rscript bench/coverage/narrow.R "$((${1:-1000} / 3))" "$seed" || bad=1
 Rscript bench/coverage/audits.R "$((${1:-1000} / 4))" "$seed" || bad=1
+Rscript bench/coverage/equations.R "${1:-1000}" "$seed" || bad=1
 Rscript bench/coverage/statics.R "$((${1:-1000} / 2))" "$seed" || bad=1
 Rscript bench/coverage/scenes.R "$build/chains" "${1:-1000}" "$seed" || bad=1
 exit $bad

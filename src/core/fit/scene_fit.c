@@ -633,7 +633,7 @@ static rot_status put_counts(work *w, double r[], double j[]) {
   }
   for (int pass = 0; pass < PASSES; pass++) {
     const size_t points = counts_moved(w, r, j, root) ? 2 * m : 1;
-    double largest[ROT_FIT_UNKNOWNS] = {0};
+    double largest[ROT_FIT_UNKNOWNS] = {0}, wider[ROT_FIT_UNKNOWNS];
     memset(mean, 0, sizeof mean);
     memset(wave, 0, sizeof wave);
     for (size_t k = 0; k < points; k++) {
@@ -648,9 +648,9 @@ static rot_status put_counts(work *w, double r[], double j[]) {
     for (size_t a = 0; a < m; a++) {
       if (mean[a * m + a] > 0.0)
         w->fit->wave[w->free_at[a]] = fmin(wave[a] / ((double)points * mean[a * m + a]), 1.0);
-      largest[a] = mean[a * m + a] > 0.0 ? sqrt(largest[a] / mean[a * m + a]) : 1.0;
+      wider[a] = mean[a * m + a] > 0.0 ? sqrt(largest[a] / mean[a * m + a]) : 1.0;
     }
-    for (size_t q = 0; q < m * m; q++) mean[q] *= largest[q / m] * largest[q % m];
+    for (size_t q = 0; q < m * m; q++) mean[q] *= wider[q / m] * wider[q % m];
     factor_of_covariance(m, mean, root);
   }
   for (size_t a = 0; a < m; a++) {

@@ -4,8 +4,8 @@
 
 #include "engine/ode/norm.h"
 
-static void note_difference(const rot_ode_params *p, const double a[], const double b[],
-                            double change[], double difference[]) {
+void rot_ode_note_difference(const rot_ode_params *p, const double a[], const double b[],
+                             double change[], double difference[]) {
   for (size_t i = 0; i < p->dim; i++) change[i] = b[i] - a[i];
   for (size_t m = 0; m < rot_ode_measures(p); m++) {
     const double now = rot_ode_difference(rot_ode_group_of(p, m), a, change);
@@ -48,9 +48,9 @@ void rot_ode_differences(const rot_ode_trace *coarse, const rot_ode_trace *fine,
     last[0] = a + 2;
     last[1] = b + 2;
     if (seen) {
-      note_difference(p, last[0], last[1], change, difference);
+      rot_ode_note_difference(p, last[0], last[1], change, difference);
       for (size_t k = 0; k < pairs && k < places; k++)
-        note_difference(p, unseen[k][0], unseen[k][1], change, difference);
+        rot_ode_note_difference(p, unseen[k][0], unseen[k][1], change, difference);
       pairs = 0;
     } else {
       memcpy(unseen[pairs++ % places], last, sizeof last);

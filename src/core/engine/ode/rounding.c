@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "engine/ode/difference.h"
 #include "engine/ode/norm.h"
 #include "ground/real.h"
 
@@ -36,11 +37,7 @@ static int note_distances(const rot_ode_params *p, const rot_ode_trace *one,
     const double *b = rot_ode_node(other, j);
     if (a[0] != b[0]) continue;
     met++;
-    for (size_t i = 0; i < p->dim; i++) change[i] = b[2 + i] - a[2 + i];
-    for (size_t m = 0; m < rot_ode_steering(p); m++) {
-      const double now = rot_ode_difference(rot_ode_group_of(p, m), a + 2, change);
-      if (!(now <= distance[m])) distance[m] = now;
-    }
+    rot_ode_note_difference(p, a + 2, b + 2, change, distance);
   }
   return 2 * met >= one->count;
 }
@@ -49,7 +46,7 @@ rot_status rot_ode_see_roundings(const rot_ode_job *coarse, const rot_ode_job *f
                                  rot_ode_trace traces[2][2], double seen[], double change[],
                                  const rot_hooks *hooks, rot_info *info) {
   const rot_ode_params *p = coarse->p;
-  const size_t measures = rot_ode_steering(p);
+  const size_t measures = rot_ode_measures(p);
   double *distance = seen + measures;
   if (RUNS * info->steps * fine->parts > p->max_steps) return ROT_OK;
   memset(seen, 0, measures * sizeof *seen);
@@ -69,7 +66,7 @@ rot_status rot_ode_see_roundings(const rot_ode_job *coarse, const rot_ode_job *f
       seen[m] = hypot(seen[m], distance[m] / sqrt(2.0 * (RUNS - 1)));
     }
   }
-  for (size_t m = 0; m < measures; m++) {
+  for (size_t m = 0; m < rot_ode_steering(p); m++) {
     coarse->propagation->worst[m] = fmin(coarse->propagation->worst[m], seen[m]);
   }
   coarse->propagation->seen = 1;
