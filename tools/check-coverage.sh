@@ -7,9 +7,9 @@
 # pulses, judged in quadruple precision, orbits by Kepler's equation and loosely solved pendulums by
 # Taylor series, bodies at rest by linear programs of lpSolve (bench/coverage/). What is estimated
 # from measured records, with correlated noise, counters and quadratic damping among them, is judged
-# by check-measurement.sh. Needs gcc, libquadmath and the R package lpSolve. Without SEED another one
-# is drawn each time. 1000 scenes of each class are 41,000 in all: each part ends with the number of
-# its own.
+# by check-measurement.sh. Needs gcc, libquadmath and the R package lpSolve. Without SEED another
+# one is drawn each time. 1000 scenes of each class are 41,000 in all: each part ends with the
+# number of its own.
 #   check-coverage.sh [SCENES of each class [SEED]]
 set -eu
 cd "$(dirname "$0")/.."
