@@ -18,11 +18,12 @@
 #' \deqn{\ddot\theta = -\omega_0^2 \sin\theta - 2 \gamma \dot\theta
 #'   - a\,\mathrm{sgn}\,\dot\theta - k \dot\theta |\dot\theta|}{
 #'   theta'' = -omega0^2 sin(theta) - 2 gamma theta' - a sgn(theta') - k theta' |theta'|}
-#' (theta instead of sin(theta) for a spring), with an offset of the sensor. The three losses are
-#' fitted together and without a bound, so that their errors are those of not knowing which act: a
-#' loss that is absent comes out within its error of 0, on either side. How fast the amplitude
-#' falls by all of them (`decay_at_amplitude_per_s`) is known better than each. Where only one can
-#' act, name it: its error is then several times smaller.
+#' (theta instead of sin(theta) for a spring), with an offset of the sensor. The period is that of
+#' the motion with no loss below 0. The losses are given without a bound, to first order about that
+#' motion, so that their errors are those of not knowing which act: a loss that is absent comes out
+#' within its error of 0, on either side. How fast the amplitude falls by all of them
+#' (`decay_at_amplitude_per_s`) is known better than each. Where only one can act, name it: its
+#' error is then several times smaller.
 #'
 #' **Errors**: the residuals of real records are correlated: noise with a correlation time and a
 #' white part is estimated by restricted likelihood (REML), and the standard errors are those for
@@ -50,9 +51,9 @@
 #'   * `period_s`: the period of small swings \eqn{T_0 = 2\pi/\omega_0}{T0 = 2 pi/omega0}, a
 #'     [measured()] number;
 #'   * `omega0_rad_per_s`, `omega_rad_per_s` (with damping, \eqn{\sqrt{\omega_0^2 - \gamma^2}}{
-#'     sqrt(omega0^2 - gamma^2)}), `decay_per_s` (gamma), `coulomb_rad_per_s2` (a),
-#'     `quadratic_per_rad` (k): measured numbers from the fit, NULL where there is none or the loss
-#'     was not fitted; a loss may be below 0 within its error;
+#'     sqrt(omega0^2 - gamma^2)}, by the gamma of the motion), `decay_per_s` (gamma),
+#'     `coulomb_rad_per_s2` (a), `quadratic_per_rad` (k): measured numbers from the fit, NULL where
+#'     there is none or the loss was not fitted; a loss may be below 0 within its error;
 #'   * `decay_at_amplitude_per_s`: the rate at which the amplitude falls by all losses, at the root
 #'     mean square of the amplitudes, to first order: \eqn{\gamma + 4 k \omega_0 A/(3 \pi) +
 #'     2 a/(\pi \omega_0 A)}{gamma + 4 k omega0 A/(3 pi) + 2 a/(pi omega0 A)};
@@ -310,9 +311,11 @@ new_swing_fit <- function(swings, fit, damping, about) {
       out[[swing_parts[[loss]]]] <- numbers[[loss]]
     }
     omega <- numbers$omega0
-    # The square of a rate of decay within its error is 0.
-    if (!is.null(numbers$viscous) && numbers$viscous$value > 0) {
-      omega <- sqrt(numbers$omega0^2 - numbers$viscous^2)
+    # By the loss of the motion: the square of one without a bound is a bias.
+    if (!is.null(numbers$viscous) && fit$best[["viscous"]] > 0) {
+      viscous <- numbers$viscous
+      viscous$value <- fit$best[["viscous"]]
+      omega <- sqrt(numbers$omega0^2 - viscous^2)
     }
     omega$name <- "omega"
     out$omega_rad_per_s <- omega

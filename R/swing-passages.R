@@ -320,15 +320,25 @@ peak_damping <- function(best, swings, kind, restoring, losses) {
   if (is.null(now)) return(NULL)
   r <- weight * (a - now$value)
   free <- seen - k
+  # Slow noise raises a peak and lowers the next: its heights are correlated below 0, which a loss
+  # averages. The covariance is that of least squares under noise of the first order.
   rho1 <- if (sum(r^2) > 0) sum(r[-1] * r[-n]) / sum(r^2) + k / seen else 0
-  rho1 <- min(max(rho1, 0), 0.9)
-  sigma <- sqrt(sum(r^2) / free * (1 + rho1) / (1 - rho1))
+  rho1 <- min(max(rho1, -0.9), 0.9)
+  solver <- t(backsolve(qr.R(q), t(qr.Q(q))))
+  by_noise <- sqrt(sum(r^2) / free * colSums(solver * correlated_first_order(solver, rho1)))
   # The quartics err by some 1e-5 of a peak.
-  sigma <- max(sigma, 1e-5 * a[1])
-  u <- sigma * scales * sqrt(diag(chol2inv(qr.R(q))))
-  free <- max(free * (1 - rho1) / (1 + rho1), 1)
+  by_quartics <- 1e-5 * a[1] * sqrt(colSums(solver^2))
+  u <- scales * pmax(by_noise, by_quartics)
+  free <- max(free * (1 - abs(rho1)) / (1 + abs(rho1)), 1)
   out <- lapply(seq_along(losses), function(i) {
     new_measured(p[[1 + i]], u[1 + i], free, swing_parts[[losses[i]]])
   })
   stats::setNames(out, unlist(swing_parts[losses], use.names = FALSE))
+}
+
+# (columns x, rho) => R x, with R[i, j] = rho^|i - j|.
+correlated_first_order <- function(x, rho) {
+  back <- rev(seq_len(nrow(x)))
+  forth <- function(x) apply(x, 2, stats::filter, rho, "recursive")
+  forth(x) + forth(x[back, , drop = FALSE])[back, , drop = FALSE] - x
 }

@@ -70,3 +70,23 @@ test_that("the fit ends at a minimum, also of a law that does not hold", {
   expect_lt(off(cos(2 * time) + 0.8 * cos(5 * time)), 1e-8)
   expect_lt(off(0.5 * cos(2 * time + 0.002 * time^2)), 1e-8)
 })
+
+test_that("losses that a few swings do not separate leave the period that of one loss", {
+  set.seed(6)
+  errors <- replicate(30, {
+    time <- seq(0, 20, by = 0.15)
+    y <- exp(-0.01 * time) * cos(2 * time) + stats::rnorm(length(time), sd = 0.015)
+    record <- data.frame(time_s = time, theta_rad = y)
+    fits <- list(fit_swing(record, "spring"), fit_swing(record, "spring", losses = "viscous"))
+    c(
+      vapply(fits, function(fit) fit$omega0_rad_per_s$value, 0) - 2,
+      vapply(fits, function(fit) fit$omega0_rad_per_s$u, 0),
+      fits[[1]]$omega_rad_per_s$value - sqrt(4 - 1e-4)
+    )
+  })
+  size <- sqrt(rowMeans(errors^2))
+  expect_lt(size[1], 1.15 * size[2])
+  expect_lt(size[5], 1.15 * size[2])
+  expect_lt(size[3], 1.3 * size[4])
+  expect_gt(size[1] / size[3], 0.7)
+})

@@ -50,3 +50,23 @@ test_that("a torsion pendulum may swing beyond half a turn", {
   expect_equal(fit$damping$decay_per_s$value, 0.025, tolerance = 1e-4)
   expect_gt(fit$swings$amplitude_rad[fit$swings$used][1], pi)
 })
+
+test_that("columns times correlations of the first order, on either side of 0", {
+  x <- cbind(c(1, -2, 0.5, 3), c(0, 1, 1, -1))
+  for (rho in c(-0.7, 0, 0.4)) {
+    expect_equal(correlated_first_order(x, rho), rho^abs(outer(1:4, 1:4, "-")) %*% x)
+  }
+})
+
+test_that("slow noise moves peaks to one side: the error of a loss is that, not the heights'", {
+  set.seed(5)
+  scores <- replicate(40, {
+    time <- seq(0, 60, by = 0.1)
+    slow <- as.vector(stats::filter(stats::rnorm(601, sd = 0.24), 0.97, "recursive"))
+    y <- exp(-0.01 * time) * cos(2 * time) + 0.01 * slow
+    found <- fit_swing(data.frame(time_s = time, theta_rad = y), "spring", losses = "viscous")
+    (found$damping$decay_per_s$value - 0.01) / found$damping$decay_per_s$u
+  })
+  expect_gt(sqrt(mean(scores^2)), 0.75)
+  expect_lt(sqrt(mean(scores^2)), 1.3)
+})
