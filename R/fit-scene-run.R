@@ -47,23 +47,18 @@ run_for_fit <- function(about, call) {
   model <- NULL
   motion_of <- function(record, numbers, time_s) {
     scene <- scene_of_numbers(about, stats::setNames(numbers, about$unknown), call)
-    late <- time_s[1] > (scene$start_s %||% 0)
-    motion <- compute_trajectory(
-      scene, if (late) c(scene$start_s %||% 0, time_s) else time_s, about$accuracy, NULL, "abort",
-      1e6, call
-    )
+    motion <- compute_trajectory(scene, time_s, about$accuracy, NULL, "abort", 1e6, call)
     constraint <- constraint_of(scene)
     names <- names(about$records[[record]]$series)
-    rows <- seq_along(time_s) + late
     columns <- series_of_motion(motion, constraint$index, names)
-    lost <- names[lengths(columns) != length(time_s) + late]
+    lost <- names[lengths(columns) != length(time_s)]
     if (length(lost)) {
       abort_rotdyn("A motion of the fit lacks {.field {lost}}.", "argument", call)
     }
     run <- trajectory_run(motion)
     model <<- run$model
     list(
-      value = as.double(unlist(lapply(columns, `[`, rows), use.names = FALSE)),
+      value = as.double(unlist(columns, use.names = FALSE)),
       events = as.double(findInterval(time_s, sort(as.double(run$events$time_s)))),
       error = as.double(run$info$error)
     )
