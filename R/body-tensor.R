@@ -48,6 +48,7 @@ body_tensor <- function(mass_kg, inertia_kg_m2, centre_m = c(0, 0, 0), ..., abou
   if (inherits(inertia_kg_m2, "rot_body")) inertia_kg_m2 <- inertia_tensor(inertia_kg_m2)
   tensor <- as_tensor(inertia_kg_m2, "inertia_kg_m2", call, check_products(products, call))
   askew <- max(abs(tensor - t(tensor))) / 2
+  given <- tensor
   # It must be physical about any point, and symmetric to be moved.
   tensor <- check_inertia_or_abort(tensor, mass_kg, call)
   # The point and axes of an inertia_tensor() are the defaults.
@@ -58,6 +59,7 @@ body_tensor <- function(mass_kg, inertia_kg_m2, centre_m = c(0, 0, 0), ..., abou
   if (knows && missing(axes)) axes <- attr(inertia_kg_m2, "rotation")
   point <- as_point(about, list(centre_m = centre_m), "about", call)
   rotation <- if (identical(axes, "own")) NULL else as_rotation(axes, "axes", call)
+  if (identical(unname(rotation), diag(3))) rotation <- NULL
   d <- centre_m - point
   largest <- max(abs(tensor))
   scale <- sum(abs(diag(tensor)) / largest)
@@ -75,6 +77,12 @@ body_tensor <- function(mass_kg, inertia_kg_m2, centre_m = c(0, 0, 0), ..., abou
     reach_m = reach_m %||% NA_real_,
     formula = "given",
     provenance = "tensor",
+    # What makes it again: a tensor that was moved or turned has another error.
+    detail = if (is.null(rotation) && !any(d != 0)) {
+      list(tensor = unname(given), tensor_at_m = as.double(centre_m))
+    } else {
+      list()
+    },
     # An element of the second moment is from three elements of the tensor, rounded once each.
     error = if (largest > 0 && trace > 0) {
       # The last term is for underflow.

@@ -78,7 +78,7 @@ body_texts <- function(body) {
   if (!is.null(own) && is.null(frame)) forms[own$name] <- list(text_form(own$arguments, own$read))
   if (!is.null(own) && !is.null(frame)) {
     forms$place_body <- text_form(function(x) {
-      unplaced <- make_quietly(own$read, own$arguments(x))
+      unplaced <- make_quietly(own$read, Filter(Negate(is.null), own$arguments(x)))
       turned <- !identical(frame$turn, diag(3))
       list(body = unplaced, at_m = frame$at_m, rotation = if (turned) frame$turn)
     }, place_body)
@@ -104,6 +104,18 @@ own_text <- function(body) {
   name <- paste0("body_", body$shape)
   if (body$provenance == "formula" && name %in% names(body_readers())) {
     return(recipe(name, function(x) c(amount(x), as.list(x$size_m)), body_readers()[[name]]))
+  }
+  if (body$provenance == "tensor" && !is.null(detail$tensor)) {
+    return(recipe("body_tensor", function(x) {
+      tensor <- detail$tensor
+      at <- detail$tensor_at_m
+      moments <- identical(tensor, diag(diag(tensor)))
+      list(
+        mass_kg = x$mass_kg, inertia_kg_m2 = if (moments) diag(tensor) else tensor,
+        centre_m = if (any(at != 0)) at, reach_m = if (!is.na(x$reach_m)) x$reach_m,
+        name = if (x$shape != formals(body_tensor)$name) x$shape
+      )
+    }, body_tensor))
   }
   if (body$provenance == "compound" && all(detail$signs == 1)) {
     return(recipe("join_bodies", function(x) {

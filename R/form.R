@@ -16,7 +16,7 @@ knots_form <- list(
 
 term_form <- list(
   .class = "rot_torque_term", .is = "term", from_s = "limit", to_s = "limit", breaks_s = "numbers",
-  text = "text"
+  text = "text", parts = "numbers?"
 )
 
 law_form <- list(

@@ -6,8 +6,9 @@
 #' colleague. Numbers are written with as many digits as bring the same bits back; an R without
 #' `capabilities("long.double")` may read a neighbour of some.
 #'
-#' What no call with numbers makes has no such code: bodies from meshes, densities and tensors, some
-#' sums of torques, and R functions. [write_scene()] keeps all but the last.
+#' What no call with numbers makes has no such code: bodies from meshes and densities, from tensors
+#' about another point or along other axes than their own, and R functions. [write_scene()] keeps all
+#' but the last.
 #'
 #' @param scene A scene (see [scene_axle()]), or a `rot_body`.
 #' @param ... Not used: an unknown argument is an error.

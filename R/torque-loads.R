@@ -194,12 +194,20 @@ scale_torque <- function(law, factor, call) {
   if (inherits(law, "rot_torque_sum")) {
     law$laws <- lapply(law$laws, scale_torque, factor, call)
   } else if (inherits(law, "rot_torque_knots")) {
-    law$torque_n_m <- factor * law$torque_n_m
-    law$outside <- factor * law$outside
+    law$torque_n_m <- 0 + factor * law$torque_n_m # no -0
+    law$outside <- 0 + factor * law$outside
   } else if (inherits(law, "rot_torque_motor")) {
-    law$stall_torque_n_m <- factor * law$stall_torque_n_m
+    if (factor < 0) {
+      abort_rotdyn(c(
+        "A motor cannot be multiplied by {format(factor)}: its torque would rise with its speed.",
+        i = "One that turns the other way is
+             {.code torque_motor({format_si(factor * law$stall_torque_n_m)},
+             {format_si(-law$no_load_omega_rad_per_s)})}."
+      ), "value", call)
+    }
+    law$stall_torque_n_m <- 0 + factor * law$stall_torque_n_m
   } else if (inherits(law, "rot_torque_term")) {
-    law <- scale_term(law, factor)
+    law <- scale_term(law, factor, call)
   } else {
     f <- law$f
     law$f <- if (law$arguments == 3L) {

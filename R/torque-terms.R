@@ -8,20 +8,30 @@ new_term <- function(kind, x, text, from_s = -Inf, to_s = Inf, breaks_s = c(from
   )
 }
 
-# The term with its torque multiplied by a factor.
-scale_term <- function(term, factor) {
+# The term with its torque multiplied by a factor: what its constructor makes of the product, so that
+# it has the same words and R code. A spring and a weight that no constructor makes keep their kind.
+scale_term <- function(term, factor, call) {
   x <- term$x
   at <- switch(term$kind,
     polynomial = seq(4 + x[1], length(x)),
     curve = seq(2 + x[1], length(x)),
     1L
   )
-  term$x[at] <- factor * x[at]
-  if (term$kind == "gravity") {
-    term$x[c(1, 3)] <- .Call(ffi_sum_product, factor * x[3], c(factor, x[1]))
-  }
-  term$text <- paste0(format_si(factor), " x (", term$text, ")")
-  term
+  term$x[at] <- 0 + factor * x[at] # no -0
+  if (!all(is.finite(term$x))) return(term)
+  if (term$kind == "gravity") return(scale_gravity(term, factor, call))
+  if (term$kind == "spring") return(spring_law(term$x[1], x[2]))
+  form <- term_texts()[[term$kind]][[1]]
+  do.call(form$read, Filter(Negate(is.null), form$arguments(term)))
+}
+
+# Of a text older than its parts: the product alone.
+scale_gravity <- function(term, factor, call) {
+  of <- term$parts
+  if (!is.null(of)) return(gravity_law(of[1], of[2], factor * of[3], term$x[2], call))
+  x <- term$x
+  x[c(1, 3)] <- .Call(ffi_sum_product, factor * x[3], x[1])
+  new_term("gravity", x, gravity_text(x))
 }
 
 # c(from, to) in s; either may be infinite.
@@ -298,10 +308,15 @@ torque_spring <- function(stiffness_n_m_per_rad, rest_rad = 0, ...) {
     stiffness_n_m_per_rad, "stiffness_n_m_per_rad", "N*m/rad", call, lower = 0, open = TRUE
   )
   rest <- check_number(rest_rad, "rest_rad", "rad", call)
-  new_term(
-    "spring", c(k, rest),
-    paste0("a spring, ", format_si(k), " N m/rad about ", format_si(rest), " rad")
-  )
+  spring_law(k, rest)
+}
+
+# A stiffness below 0 is a spring multiplied by a number; without one there is no torque.
+spring_law <- function(k, rest) {
+  if (k == 0) return(new_knots(double(), double(), c(0, 0)))
+  new_term("spring", c(k, rest), paste0(
+    if (k < 0) "minus ", "a spring, ", format_si(abs(k)), " N m/rad about ", format_si(rest), " rad"
+  ))
 }
 
 #' @rdname torque-terms
@@ -316,18 +331,21 @@ torque_gravity <- function(mass_kg, distance_m, rest_rad = 0, ..., gravity_m_per
   gravity_law(m, d, g, check_number(rest_rad, "rest_rad", "rad", call), call)
 }
 
+# `parts`: what the constructor makes it of again.
 gravity_law <- function(m, d, g, rest, call) {
   largest <- .Call(ffi_sum_product, 0, c(m, d, g)) # over a long time its rounding counts
   if (!is.finite(largest[1])) {
     abort_rotdyn("The weight's torque is beyond double precision.", "value", call)
   }
   if (largest[1] == 0) return(new_knots(double(), double(), c(0, 0)))
-  new_term(
-    "gravity", c(largest[1], rest, largest[2]),
-    paste0(
-      "gravity, at most ", format_si(abs(largest[1])), " N m, hanging at ", format_si(rest), " rad"
-    )
-  )
+  x <- c(largest[1], rest, largest[2])
+  term <- new_term("gravity", x, gravity_text(x))
+  term$parts <- c(m, d, g)
+  term
+}
+
+gravity_text <- function(x) {
+  paste0("gravity, at most ", format_si(abs(x[1])), " N m, hanging at ", format_si(x[2]), " rad")
 }
 
 check_lengths <- function(x, torque_n_m, call) {

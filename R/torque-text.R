@@ -34,7 +34,9 @@ text_node.rot_torque_knots <- function(x, where, call) {
     return(x$outside[1])
   }
   node_or_abort(x, list(torque_knots = text_form(function(x) {
-    outside <- if (all(x$outside == 0)) {
+    outside <- if (length(x$time_s) < 2L) {
+      x$outside # read_knots(): the constructor takes no single knot
+    } else if (all(x$outside == 0)) {
       "zero"
     } else if (identical(x$outside, x$torque_n_m[c(1L, length(x$time_s))])) {
       "hold"
@@ -93,7 +95,7 @@ read_sum <- function(laws) {
   do.call(sum_torques, lapply(unname(laws), as_torque, call))
 }
 
-# A law that was scaled keeps its numbers.
+# A spring multiplied by less than 0 keeps its numbers.
 #' @export
 text_node.rot_torque_term <- function(x, where, call) {
   form <- term_texts()[[x$kind]]
@@ -127,7 +129,14 @@ term_texts <- function() {
     }, torque_curve)),
     spring = list(torque_spring = text_form(function(x) {
       list(stiffness_n_m_per_rad = x$x[1], rest_rad = x$x[2])
-    }, torque_spring))
+    }, torque_spring)),
+    gravity = list(torque_gravity = text_form(function(x) {
+      if (is.null(x$parts)) return(NULL)
+      list(
+        mass_kg = x$parts[1], distance_m = x$parts[2], rest_rad = x$x[2],
+        gravity_m_per_s2 = x$parts[3]
+      )
+    }, torque_gravity))
   )
 }
 

@@ -63,6 +63,50 @@ test_that("steps have code, of any number and added to other laws", {
   }
 })
 
+test_that("every law that arithmetic makes has code, or is refused", {
+  laws <- list(
+    torque_steps(1, 2), torque_steps(c(0, 1, 2), c(1, 2, 0)), torque_constant(2),
+    torque_knots(c(0, 1, 3), c(1, 2, 0), outside = "hold"), torque_pulse(0.1, 0.2, 3),
+    torque_spring(2, 0.3), torque_gravity(0.3, 0.7, 0.2), torque_sinusoid(2.1, 3, 0.1, to_s = 2),
+    torque_exponential(2, 3, from_s = 1), torque_polynomial(c(0, 1, 2), rbind(1:3, 2:4)),
+    torque_polynomial(c(0, 1), 2), torque_curve(c(0, 1, 4), c(3, 1, 0.5))
+  )
+  made <- list(
+    function(x) 3 + x, function(x) -x, function(x) 2 * x, function(x) x / 3, function(x) 3 - x,
+    function(x) 0 * x, function(x) x - x, function(x) -0.7 * (3 + x), function(x) 5e-324 * x
+  )
+  for (law in laws) for (make in made) {
+    scene <- scene_axle(1, make(law))
+    expect_identical(scene_hash(again(scene)), scene_hash(scene), info = scene_code(scene))
+  }
+  # The numbers of the product: those of the law by R's arithmetic.
+  at <- function(law, theta) {
+    trajectory(scene_axle(1e9, law, theta0_rad = theta), 0)$applied_torque_n_m
+  }
+  expect_equal(
+    at(-0.7 * torque_gravity(0.3, 0.7, 0.2), 1.5), 0.7 * 0.3 * 0.7 * 9.80665 * sin(1.3),
+    tolerance = 1e-15
+  )
+  expect_equal(at(-torque_spring(2, 0.3), 1.5), 2.4, tolerance = 1e-15)
+  # A torque that rises with the speed is no motor's.
+  expect_error(3 - torque_motor(3, 100), "torque_motor(-3, -100)", fixed = TRUE,
+               class = "rotdyn_error_value")
+  expect_identical(0.5 * torque_motor(3, 100), torque_motor(1.5, 100))
+})
+
+test_that("a body of a tensor has code, placed and joined as well", {
+  tensor <- matrix(c(0.05, -0.01, 0.002, -0.01, 0.06, 0, 0.002, 0, 0.07), 3)
+  bodies <- list(
+    body_tensor(2, c(1, 2, 2.5)), body_tensor(2, tensor, c(0.1, 0, 0.3), reach_m = 3, name = "x"),
+    body_tensor(2, tensor, products = "positive"), body_tensor(2, body_disk(2, 0.3))
+  )
+  bodies <- c(bodies, lapply(bodies, place_body, c(1, 0, 2)), list(do.call(join_bodies, bodies)))
+  for (body in bodies) {
+    expect_identical(scene_hash(again(body)), scene_hash(body), info = scene_code(body))
+    expect_identical(scene_hash(read_scene(write_scene(body))), scene_hash(body))
+  }
+})
+
 test_that("an attitude given once more is the same, to the last bit", {
   set.seed(2)
   for (i in 1:200) {
@@ -75,7 +119,7 @@ test_that("an attitude given once more is the same, to the last bit", {
 test_that("what no such code makes is refused", {
   law <- scene_axle(1, function(time_s) time_s)
   expect_error(scene_code(law), "R function", class = "rotdyn_error_scene")
-  weights <- body_tensor(1, c(1, 1, 1))
+  weights <- body_tensor(1, c(1, 1, 1), c(0.1, 0, 0), about = "origin")
   expect_error(scene_code(weights), "makes this body", class = "rotdyn_error_scene")
   expect_error(scene_code(scene_free(weights, c(0, 0, 1))), "makes this scene",
                class = "rotdyn_error_scene")

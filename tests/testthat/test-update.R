@@ -297,7 +297,8 @@ test_that("what cannot be changed is refused with the reason", {
     list(quote(update(scene_axle(1), torqe = 4)), "Did you mean `torque`"),
     list(quote(update(scene_axle(1), gravity_m_per_s2 = 4)), "The arguments are `body`"),
     list(quote(update(join_bodies(disk, disk), mass_kg = 3)), "no argument `mass_kg`"),
-    list(quote(update(body_tensor(1, c(1, 1, 1)), mass_kg = 3)), "body_tensor\\(\\)"),
+    list(quote(update(body_tensor(9, c(9, 9, 9), c(0.1, 0, 0), about = "origin"), mass_kg = 3)),
+         "body_tensor\\(\\)"),
     list(quote(update(body_density(1, domain_ball(1)), mass_kg = 3)), "body_density\\(\\)"),
     list(quote(update(disk, mass_kg = -1)), "mass_kg"),
     list(quote(update(scene_axle(inertia_knots(0:1, 1:2)), brake = brake(1))), "coulomb_n_m")

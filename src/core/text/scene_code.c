@@ -105,6 +105,41 @@ static double number_of(const rot_json *node) {
   return x;
 }
 
+/* A literal of up to 16 digits => does R's parser read x? It scales the digits in long doubles of
+ * 64 bits, with one rounding up to 10^27 and less than 33 beyond, and rounds again: it may read a
+ * neighbour of x where the middle between the two is that close. */
+static int reads_alike(const char *literal, double x) {
+  unsigned long long digits = 0;
+  int power = 0, decimal = 0;
+  for (; *literal && *literal != 'e'; literal++) {
+    if (*literal == '.') decimal = 1;
+    if (*literal < '0' || *literal > '9') continue;
+    digits = 10 * digits + (unsigned)(*literal - '0');
+    power -= decimal;
+  }
+  if (*literal) power += atoi(literal + 1);
+  const int exact = abs(power) <= 27;
+  for (; digits < 1000000000000000; digits *= 10) power--; /* to 16 of them */
+  for (int side = 0; side < 2; side++) {
+    /* Moved by 6e-19 or 2e-17 in units of the first digit: more than 1 and 33 times 10 x 2^-64. */
+    const char *tail = exact ? side ? "9994" : "0006" : side ? "8" : "2";
+    char moved[2 * ROT_TEXT_SIZE];
+    snprintf(moved, sizeof moved, "%llu%se%d", digits - (unsigned)side, tail,
+             power - (int)strlen(tail));
+    if (strtod(moved, NULL) != fabs(x)) return 0;
+  }
+  return 1;
+}
+
+static void write_literal(double x, rot_writer *to) {
+  char literal[ROT_TEXT_SIZE];
+  for (int digits = 15; digits <= 17; digits++) {
+    (void)rot_text_digits(x, digits, literal);
+    if (x == 0.0 || !isfinite(x) || digits == 17 || reads_alike(literal, x)) break;
+  }
+  rot_write(to, "%s", literal);
+}
+
 /* The first, third, ... of the numbers, in the room given. */
 static rot_json every_other(const rot_json *numbers, rot_json room[]) {
   rot_json out = *numbers;
@@ -167,6 +202,19 @@ static made code_of_outside(const rot_json *arguments, const rot_json *outside, 
   return done;
 }
 
+/* A spring multiplied by less than 0, which its constructor does not take. */
+static made code_of_term(const rot_json *term, rot_writer *to) {
+  const rot_json *kind = argument(term, "kind"), *x = argument(term, "x");
+  if (!kind || kind->kind != ROT_JSON_STRING || strcmp(kind->text, "spring") != 0) return NO_CODE;
+  if (!x || !rot_json_numbers(x) || x->n != 2 || !(number_of(x->first) < 0.0)) return NO_CODE;
+  rot_write(to, "-torque_spring(stiffness_n_m_per_rad = ");
+  write_literal(-number_of(x->first), to);
+  rot_write(to, ", rest_rad = ");
+  write_literal(number_of(x->first->next), to);
+  rot_write(to, ")");
+  return CODE;
+}
+
 static made code_of_made(const char *constructor, const rot_json *arguments, int level,
                          line_end end, rot_writer *to) {
   rot_made m;
@@ -176,9 +224,8 @@ static made code_of_made(const char *constructor, const rot_json *arguments, int
   if (makes == ROT_INPUT_TABLE) return code_of_call("data.frame", arguments, "", level, end, to);
   /* Those are no functions of R. */
   if (makes & (ROT_INPUT_MOMENTS | ROT_INPUT_SIZES | ROT_INPUT_POINTS)) return NO_CODE;
-  if (strncmp(constructor, "rot_", 4) == 0 || strcmp(constructor, "torque_term") == 0) {
-    return NO_CODE;
-  }
+  if (strncmp(constructor, "rot_", 4) == 0) return NO_CODE;
+  if (strcmp(constructor, "torque_term") == 0) return code_of_term(arguments, to);
   const rot_json *outside = argument(arguments, "outside");
   if (outside && outside->kind == ROT_JSON_ARRAY) {
     return code_of_outside(arguments, outside, level, end, to);
@@ -206,41 +253,6 @@ static made code_of_numbers(const rot_json *numbers, int level, line_end end, ro
   indent(to, level);
   rot_write(to, ")");
   return CODE;
-}
-
-/* A literal of up to 16 digits => does R's parser read x? It scales the digits in long doubles of
- * 64 bits, with one rounding up to 10^27 and less than 33 beyond, and rounds again: it may read a
- * neighbour of x where the middle between the two is that close. */
-static int reads_alike(const char *literal, double x) {
-  unsigned long long digits = 0;
-  int power = 0, decimal = 0;
-  for (; *literal && *literal != 'e'; literal++) {
-    if (*literal == '.') decimal = 1;
-    if (*literal < '0' || *literal > '9') continue;
-    digits = 10 * digits + (unsigned)(*literal - '0');
-    power -= decimal;
-  }
-  if (*literal) power += atoi(literal + 1);
-  const int exact = abs(power) <= 27;
-  for (; digits < 1000000000000000; digits *= 10) power--; /* to 16 of them */
-  for (int side = 0; side < 2; side++) {
-    /* Moved by 6e-19 or 2e-17 in units of the first digit: more than 1 and 33 times 10 x 2^-64. */
-    const char *tail = exact ? side ? "9994" : "0006" : side ? "8" : "2";
-    char moved[2 * ROT_TEXT_SIZE];
-    snprintf(moved, sizeof moved, "%llu%se%d", digits - (unsigned)side, tail,
-             power - (int)strlen(tail));
-    if (strtod(moved, NULL) != fabs(x)) return 0;
-  }
-  return 1;
-}
-
-static void write_literal(double x, rot_writer *to) {
-  char literal[ROT_TEXT_SIZE];
-  for (int digits = 15; digits <= 17; digits++) {
-    (void)rot_text_digits(x, digits, literal);
-    if (x == 0.0 || !isfinite(x) || digits == 17 || reads_alike(literal, x)) break;
-  }
-  rot_write(to, "%s", literal);
 }
 
 /* Rows of as many numbers. */

@@ -65,6 +65,10 @@ static void check_code(void) {
          " \"torque\": {\"time_s\": [0, 1], \"x_n_m\": [0, 1]}}}",
          "scene_free(\n  body = c(1, 2, 3),\n  omega0_rad_per_s = c(1, 0, 0),\n"
          "  torque = data.frame(time_s = c(0, 1), x_n_m = c(0, 1))\n)");
+  EXPECT("{\"torque_term\": {\"kind\": \"spring\", \"x\": [-2, 0.5], \"text\": \"\"}}",
+         "-torque_spring(stiffness_n_m_per_rad = 2, rest_rad = 0.5)");
+  EXPECT("{\"torque_term\": {\"kind\": \"spring\", \"x\": [2, 0.5], \"text\": \"\"}}", "none");
+  EXPECT("{\"torque_term\": {\"kind\": \"curve\", \"x\": [-2, 0.5], \"text\": \"\"}}", "none");
   EXPECT("{\"body_tensor\": {\"mass_kg\": 1, \"inertia_kg_m2\": [1, 1, 1], \"name\": \"a "
          "\\\"b\\\\\"}}",
          "body_tensor(mass_kg = 1, inertia_kg_m2 = c(1, 1, 1), name = \"a \\\"b\\\\\")");
