@@ -7,7 +7,10 @@
 #' @param ratio `omega_in/omega_out`, not 0; negative for gears that turn opposite ways. For a belt
 #'   it is `radius_out/radius_in`.
 #' @param ... Not used: an unknown argument is an error.
-#' @return Numbers in kg m^2, one for each row (arguments have length 1 or n). NA gives NA.
+#' @return Numbers in kg m^2, one for each row (arguments have length 1 or n). NA gives NA,
+#'   NaN gives NaN and Inf the limit of the formula.
+#' @section Warnings: `rotdyn_warning_range` where finite numbers give a moment beyond double
+#'   precision.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
 #'   `rotdyn_error_unit`.
 #' @source Shigley, Mechanical Engineering Design, 7th ed. (2004), section 16-7.

@@ -21,11 +21,14 @@
 #' @param ... Not used; names after it must be given in full.
 #' @param direction `"from_centre"`: `inertia_kg_m2` is about the centre of mass, and the result
 #'   about the parallel axis. `"to_centre"`: the reverse.
-#' @return Moments in kg m^2, or a 3 x 3 tensor. NA gives NA. Each is rounded at most four times,
-#'   relative to the larger of the two terms.
+#' @return Moments in kg m^2, or a 3 x 3 tensor. Each is rounded at most four times, relative to the
+#'   larger of the two terms. Of moments, NA gives NA, NaN gives NaN and Inf what the formula gives.
+#' @section Warnings: `rotdyn_warning_digits`; `rotdyn_warning_range` where finite numbers give a
+#'   moment beyond double precision.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value` (a negative mass
-#'   or distance; a moment about the centre that would be negative), `rotdyn_error_inertia` (a
-#'   tensor that is not physical), `rotdyn_error_range`, `rotdyn_error_unit`.
+#'   or distance; a moment about the centre that would be negative; of a tensor NA, NaN and Inf),
+#'   `rotdyn_error_inertia` (a tensor that is not physical), `rotdyn_error_range` (a tensor beyond
+#'   double precision), `rotdyn_error_unit`.
 #' @source Goldstein, Poole and Safko, Classical Mechanics, 3rd ed. (2002), equation 5.21.
 #' @seealso [inertia_tensor()] and [moment_of_inertia()] for bodies about any axis, [join_bodies()].
 #' @concept parallel axis
@@ -77,19 +80,13 @@ parallel_axis <- function(inertia_kg_m2, mass_kg, distance_m, ...,
   check_not_negative(columns$distance_m, "distance_m", "m", call)
   moved <- columns$mass_kg * columns$distance_m * columns$distance_m
   value <- columns$inertia_kg_m2 + sign * moved
+  # m d^2 alone may be too large for a double.
+  endless <- columns$inertia_kg_m2 == Inf & is.finite(columns$mass_kg + columns$distance_m)
+  value[which(rep_len(endless, length(value)))] <- Inf
   # A point mass leaves a rounding error of either sign.
   rounding <- 4 * .Machine$double.eps * moved
-  # NA gives NA; other values that are not finite overflowed.
-  known <- !(is.na(columns$inertia_kg_m2) | is.na(columns$mass_kg) | is.na(columns$distance_m))
-  if (any(known & !is.finite(value))) {
-    abort_rotdyn(c(
-      "The inertia exceeds double precision.",
-      x = "In row {which(known & !is.finite(value))[1]} it is
-           {format(value[known & !is.finite(value)][1])}."
-    ), "range", call)
-  }
   if (sign < 0) {
-    below <- which(value < -rounding)
+    below <- which(value == -Inf | value < -rounding)
     if (length(below)) {
       i <- below[1]
       abort_rotdyn(c(
@@ -101,6 +98,7 @@ parallel_axis <- function(inertia_kg_m2, mass_kg, distance_m, ...,
     value <- pmax(value, 0)
     warn_lost_digits(moved, value, call)
   }
+  warn_beyond(list(inertia_kg_m2 = value), columns, length(value), call)
   value
 }
 

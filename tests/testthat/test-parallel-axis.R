@@ -142,13 +142,30 @@ test_that("bad arguments are refused by class", {
   )
 })
 
-test_that("a moment outside of double precision is an error, NA is not", {
-  expect_error(parallel_axis(1, 1, 1e200), class = "rotdyn_error_range")
-  expect_error(parallel_axis(c(1, 1), c(1, Inf), 0), class = "rotdyn_error_range")
-  expect_error(
-    parallel_axis(Inf, 1, 1e200, direction = "to_centre"), class = "rotdyn_error_range"
+test_that("NA, NaN and Inf are kept, as in tables; finite numbers beyond double precision warn", {
+  expect_warning(
+    expect_identical(parallel_axis(c(1, 1), 1, c(1e200, 1)), c(Inf, 2)), "row 1",
+    class = "rotdyn_warning_range"
   )
-  expect_equal(parallel_axis(c(NA, 1), 1, c(1e200, 1)), c(NA, 2))
+  expect_identical(parallel_axis(c(1, Inf, 1, 1), c(1, 1, Inf, 0), c(0, 2, 2, Inf)),
+                   c(1, Inf, Inf, NaN))
+  expect_identical(parallel_axis(c(NA, NaN, 1), 1, c(1e200, 1, NA)), c(NA, NaN, NA))
+  expect_identical(
+    parallel_axis(c(Inf, Inf, NA), 1, c(1e200, Inf, 1), direction = "to_centre"), c(Inf, NaN, NA)
+  )
+  for (one in list(c(1, Inf), c(Inf, 1), c(1, 1e200))) {
+    expect_error(
+      parallel_axis(1, one[1], one[2], direction = "to_centre"), "-Inf",
+      class = "rotdyn_error_value"
+    )
+  }
+  # The same rule in a table and of a gear.
+  expect_identical(
+    inertia_table(data.frame(shape = "hoop", mass_kg = c(NA, Inf, 1), radius_m = c(1, 1, NaN))
+    )$moment_of_inertia_kg_m2, c(NA, Inf, NaN)
+  )
+  expect_identical(reflected_inertia(c(NA, Inf, NaN), 2), c(NA, Inf, NaN))
+  expect_warning(reflected_inertia(1e200, 1e-200), class = "rotdyn_warning_range")
 })
 
 test_that("arrays are numbers, and a direction that is no text is an error", {
