@@ -179,6 +179,9 @@ read_drive <- function(bodies, couplings = list(), torque = NULL, resistance = N
 # held; constant torques beyond all friction drive it on.
 drive_goes_on <- function(scene) {
   kind <- coupling_kinds(scene)
+  # A clutch takes the speeds of rotors that turn against each other.
+  why <- if (!any(kind == "clutch")) nothing_holds(scene)
+  if (!is.null(why)) return(why)
   rotors <- seq_along(scene$moment_of_inertia_kg_m2)
   unit <- cumsum(c(TRUE, kind != "gear"))
   friction_n_m <- vapply(rotors, function(i) {

@@ -8,8 +8,9 @@
 #' angle finite. With dry friction it stops, and stays at rest while the torque is at most the
 #' static friction.
 #'
-#' A body on an incline, a bead on a hoop, a drive and rotors stop by friction. Their motion is
-#' computed, by the model that [trajectory()] takes, until all is at rest for good.
+#' Elsewhere the motion is computed, by the model that [trajectory()] takes, until all is at rest for
+#' good: of a body on an incline, a bead on a hoop and a drive, and of an axle where the closed form
+#' does not fit, such as a pendulum with friction.
 #'
 #' @param scene A scene of [scene_axle()], [scene_incline()], [scene_hoop()] or [scene_drive()].
 #' @param ... Not used: an unknown argument is an error.
@@ -20,21 +21,24 @@
 #'   resistance, \eqn{\theta_0 + (I/q) \ln(1 + q \omega_0 / c)}{theta0 + I/q log(1 + q omega0/c)}
 #'   with quadratic drag, too; infinite with quadratic drag alone; NaN where a speed is left. The
 #'   terminal speed is 0 where friction holds the last torque, and infinite where nothing resists
-#'   it; where in the end nothing acts at all, it is the speed left.
+#'   it; where in the end nothing acts at all, it is the speed left. Without a closed form the angle
+#'   and the speed of what never stops are NaN.
 #'
 #'   Of the others the columns `stop_time_s`, when all is at rest, and the place where: `stop_x_m`
 #'   and `stop_theta_rad` on an incline, `stop_theta_rad` of a bead, `rotor` and `stop_theta_rad`
-#'   with a row for each rotor of a drive. On an incline also `terminal_v_m_per_s`: where the body
-#'   never stops, `stop_time_s` is Inf, the place is NaN, and the speed is what it tends to,
-#'   infinite where it is accelerated for good.
+#'   with a row for each rotor of a drive. On an incline also `terminal_v_m_per_s`, the speed that the
+#'   body tends to, infinite where it is accelerated for good.
+#'
+#'   One rule holds for all: what stops has its time; what is known never to stop, because nothing
+#'   holds it at rest or it is driven or swings for ever, has the time Inf and, but for the angle of an
+#'   axle, the place NaN, and where the speed does not say why, a message does
+#'   (`rotdyn_message_stop`); what is not known is an error (`rotdyn_error_model`).
 #' @section Warnings: `rotdyn_warning_range` where the angle of a stop is beyond double precision;
 #'   `rotdyn_warning_slack` where the rope of a hanging mass would have to push.
 #' @section Errors: `rotdyn_error_type`; `rotdyn_error_range` where the motion to the stop is beyond
-#'   double precision; `rotdyn_error_model` where the closed form does not fit
-#'   (see [choose_model()], model `axle_drag`), where a law changes in time or is a function, and
-#'   where nothing is seen to stop: a scene without dry friction, a drive that swings on or is
-#'   driven by more than all friction, or one still in motion 4^10 s after the last change of its
-#'   laws (4^30 s where at most 1000 steps lead there).
+#'   double precision; `rotdyn_error_model` where it is not known whether the scene stops (a law that
+#'   changes in time, or is a function; one still in motion 4^10 s after the last change of its laws,
+#'   4^30 s where at most 1000 steps lead there), and for a scene of another kind.
 #' @source Riccati's equation; Armstrong-Helouvry, Control of Machines with Friction (1991), chapter
 #'   2.
 #' @seealso [time_when()], [motion_events()], [resistance()].
@@ -62,7 +66,7 @@ stopping <- function(scene, ...) {
   check_supplied("scene", call)
   check_scene(scene, call)
   constraint <- constraint_of(scene)
-  if (is.null(constraint$stops)) abort_never_rests(scene, call)
+  if (is.null(constraint$stops)) abort_nothing_rests(scene, call)
   stops <- constraint$stops(scene, call)
   warn_of_end(scene, NULL, call)
   stops
@@ -78,10 +82,9 @@ axle_stops <- function(scene, call) {
     paste("it leaves out", effects_in_words(left_out, constraint_of(scene)))
   }
   if (!is.null(why_not)) {
-    abort_rotdyn(c(
-      "There is no closed form of when this scene stops: {why_not}.",
-      i = "{.fn trajectory} and {.fn motion_events} show it."
-    ), "model", call)
+    found <- stops_at_rest(stop_theta_rad = "theta_rad")(scene, call)
+    found$terminal_omega_rad_per_s <- if (is.finite(found$stop_time_s)) 0 else NaN
+    return(found)
   }
   x <- .Call(ffi_axle_stopping, scene)
   if (is.na(x[1])) {
@@ -111,18 +114,31 @@ terminal_omega <- function(scene, omega, call) {
 # ---- by the motion itself -----------------------------------------------------------------------
 
 # Of a scene that dry friction or a brake stops; `...`: columns of the place, by the names of the
-# answer. `goes_on`: a function of a scene, why it never rests once it moves; or NULL.
-stops_at_rest <- function(..., goes_on = function(scene) NULL) {
+# answer. `goes_on`: a function of a scene, why it never rests once it moves; or NULL. What never
+# rests has Inf and no place, and a message says why; what is not known is an error.
+stops_at_rest <- function(..., goes_on = nothing_holds) {
   place <- c(...)
   function(scene, call) {
     constraint <- constraint_of(scene)
-    held <- c("friction", "brake") %in% core_effects(constraint$id, scene)
-    if (!any(held)) abort_never_rests(scene, call)
     why <- goes_on(scene)
-    found <- rest_of_motion(scene, "omega_rad_per_s", call, if (is.null(why)) 30 else 0) %||%
-      abort_no_stop(call, why)
-    at <- stats::setNames(unclass(found$row)[place], names(place))
-    do.call(as_table, c(unclass(found$row)[constraint$index], stop_time_s = found$time_s, at))
+    found <- rest_of_motion(scene, "omega_rad_per_s", call, if (is.null(why)) 30 else 0)
+    if (is.null(found)) {
+      if (is.null(why)) abort_no_stop(call)
+      inform_quickly(paste0("It never stops: ", why, "."), "stop")
+    }
+    row <- unclass(found$row %||% suppressWarnings(
+      compute_trajectory(scene, scene$start_s, 1e-9, NULL, "abort", 1e6, call)
+    ))
+    at <- stats::setNames(row[place], names(place))
+    if (is.null(found)) at[] <- NaN
+    do.call(as_table, c(row[constraint$index], stop_time_s = found$time_s %||% Inf, at))
+  }
+}
+
+# Why nothing holds a scene at rest, or NULL.
+nothing_holds <- function(scene) {
+  if (!any(c("friction", "brake") %in% core_effects(constraint_of(scene)$id, scene))) {
+    "no dry friction or brake holds it at rest"
   }
 }
 
@@ -145,7 +161,9 @@ rest_of_motion <- function(scene, rates, call, last = 30) {
   for (k in 0:last) {
     motion <- tryCatch(
       run(max(scene$start_s, changes) + 4^k, if (k < 10) 1e6 else 1e4),
-      rotdyn_error_budget = function(e) NULL
+      rotdyn_error_budget = function(e) NULL,
+      # A speed that fades is lost in the resolution of a late time.
+      rotdyn_error_step = function(e) NULL
     )
     if (is.null(motion)) return(NULL)
     if (all(vapply(rates, function(name) all(motion[[name]] == 0), NA))) {
@@ -181,26 +199,26 @@ last_change <- function(law) {
     limits <- c(law$from_s, law$to_s)
     return(max(-Inf, limits[is.finite(limits)], last_change(law[["capacity_n_m"]])))
   }
-  if (inherits(law, c("rot_torque_motor", "rot_torque_spring", "rot_torque_gravity")) ||
-        is.null(law) || is.numeric(law)) {
-    return(-Inf)
+  if (inherits(law, "rot_torque_term")) {
+    if (law$kind %in% c("spring", "gravity", "curve")) return(-Inf)
+    return(if (law$kind == "polynomial") max(law$breaks_s) else law$to_s)
   }
+  if (inherits(law, "rot_torque_motor") || is.null(law) || is.numeric(law)) return(-Inf)
   if (is.function(law) || inherits(law, "rot_torque") || !is.list(law)) return(Inf)
   max(-Inf, vapply(law, last_change, double(1)))
 }
 
-abort_never_rests <- function(scene, call) {
+abort_nothing_rests <- function(scene, call) {
   abort_rotdyn(c(
-    "No dry friction holds this scene at rest: it does not stop in a finite time.",
+    "{.fn stopping} is of scenes that friction may hold at rest: axles, inclines, hoops, drives.",
     x = "It is {.obj_type_friendly {scene}}.",
-    i = "{.fn trajectory} shows how it slows down."
+    i = "{.fn trajectory} and {.fn motion_events} show the motion."
   ), "model", call)
 }
 
-abort_no_stop <- function(call, why = NULL) {
+abort_no_stop <- function(call) {
   abort_rotdyn(c(
-    if (is.null(why)) "This scene is not seen to stop, in 1e6 s at least." else "It does not stop.",
-    x = if (!is.null(why)) paste0("In this scene ", why, "."),
+    "This scene is not seen to stop, in 1e6 s at least.",
     i = "{.fn trajectory} and {.fn motion_events} show the motion."
   ), "model", call)
 }
