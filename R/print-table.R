@@ -84,6 +84,22 @@ is_upright <- function(x) {
 #' @export
 print.rot_trajectory <- print.rot_table
 
+# `first` names columns that are there.
+first_that_are <- function(x) {
+  first <- attr(x, "first", exact = TRUE)
+  if (is.data.frame(x) && !all(first %in% names(x))) {
+    left <- intersect(first, names(x))
+    attr(x, "first") <- if (length(left)) left
+  }
+  x
+}
+
+#' @export
+`[.rot_table` <- function(x, ...) first_that_are(NextMethod())
+
+#' @exportS3Method dplyr::dplyr_reconstruct
+dplyr_reconstruct.rot_table <- function(data, template) first_that_are(NextMethod())
+
 # Columns in the order of a print: those that `first` names, the others, those without a value.
 print_order <- function(x) {
   empty <- nrow(x) > 0L & vapply(unclass(x), function(value) {
