@@ -202,6 +202,14 @@ as_record_column <- function(value, heading, arg, n, call) {
         x = "It is a table without columns."
       ), "size", call)
     }
+    if (length(value) == 1L) return(as_record_column(value[[1]], heading, arg, n, call))
+    # Rates about three axes.
+    if (role[[4]] != "rate") {
+      abort_rotdyn(c(
+        "{.arg {arg}} must be one column.",
+        x = "It is a table of {length(value)} columns: {.field {names(value)}}."
+      ), "size", call)
+    }
     parts <- Map(as_record_column, value, names(value), arg, n, list(call))
     return(list(
       value = vapply(parts, function(p) as.double(p$value), numeric(n)), heading = names(value),
@@ -272,6 +280,14 @@ is_rounded_by <- function(times, factor) {
 # Columns by their headings, for a table without arguments.
 recognise_columns <- function(data, call) {
   exact <- intersect(names(record_arguments), names(data))
+  twice <- intersect(exact, names(data)[duplicated(names(data))])
+  if (length(twice)) {
+    abort_rotdyn(c(
+      "The heading of a column must be that of no other.",
+      x = "{.arg data} has {sum(names(data) == twice[1])} columns {.field {twice[1]}}.",
+      i = "{.code names(data) <- make.unique(names(data))} tells them from each other."
+    ), "value", call)
+  }
   if ("time_s" %in% exact && length(exact) > 1L) {
     columns <- lapply(exact, function(arg) {
       as_record_column(data[[arg]], arg, arg, nrow(data), call)
@@ -289,7 +305,7 @@ recognise_columns <- function(data, call) {
   if (!length(time)) {
     abort_rotdyn(c(
       "{.arg time_s} is missing: no heading says that its column is a time.",
-      i = "The columns are {.field {names(data)}}.",
+      i = if (length(data)) "The columns are {.field {names(data)}}." else "There are no columns.",
       i = "Name it: {.code motion_record(data, time_s = ...)}."
     ), "missing", call)
   }

@@ -108,11 +108,25 @@ set_references <- function(db, call) {
 }
 
 abort_database <- function(e, call) {
-  abort_rotdyn(
-    c("The database refuses.", x = braces_doubled(database_words(conditionMessage(e)))), "database",
-    call
-  )
+  said <- database_words(conditionMessage(e))
+  known <- names(database_remedies)[vapply(names(database_remedies), grepl, NA, said, TRUE)]
+  abort_rotdyn(c(
+    "The database refuses.", x = braces_doubled(said),
+    i = if (length(known)) database_remedies[[known[1]]]
+  ), "database", call)
 }
+
+# By what SQLite says.
+database_remedies <- c(
+  "is locked" = "Another connection writes to it, or did not end its transaction.",
+  "readonly" = "The file, or its folder, is write-protected, or the connection only reads.",
+  "unable to open" = "Its folder must exist, and the user may read the file and write to both.",
+  "not a database" = "A file of records is made by {.fn records_create}.",
+  "malformed" = "The file is damaged: take a copy of it, or what {.code sqlite3 FILE .recover} saves.",
+  "no such column|no column named" =
+    "The tables were changed: {.fn metadata} with a {.arg dialect} shows what they are.",
+  "within a transaction" = "A transaction is open: commit it first."
+)
 
 # A full disk in the words of three databases.
 database_words <- function(said) {

@@ -72,7 +72,7 @@ read_times <- function(text, call, rows = Inf) {
     return(grid_times(x$from, x$step, x$n))
   }
   if (!identical(names(x), "at") || !(is.double(x$at) || !length(x$at))) damaged()
-  if (length(x$at) > rows) damaged()
+  if (length(x$at) > rows || !all(is.finite(as.double(x$at)))) damaged()
   as.double(x$at)
 }
 

@@ -29,8 +29,8 @@ records_format <- 1L
 #' to expect of them.
 #'
 #' `records_check()` looks at keys, checks and references in R, at types and encodings, at the
-#' hashes of the scenes, whether every scene can be read and every run has its values; and at what
-#' SQLite says of its file.
+#' hashes of the scenes, whether every scene and the times of every run can be read and every run has
+#' its values; and at what SQLite says of its file.
 #'
 #' `metadata(dialect = )` has tables, rows and views as a script, for those without R.
 #'
@@ -57,8 +57,8 @@ records_format <- 1L
 #'   `model`, `versions` and `motion`, the new trajectory.
 #' * `records_check()`: a tibble: check, holds, detail.
 #' @section Errors: `rotdyn_error_database` (a driver that is not known, no tables of records, a
-#'   newer format, what the database says), `rotdyn_error_record` (no such run, a model that exists
-#'   no more), `rotdyn_error_scene`, `rotdyn_error_type`, `rotdyn_error_package`: \pkg{DBI} is
+#'   newer format, what the database says), `rotdyn_error_time` (rows out of order),
+#'   `rotdyn_error_record` (no such run, a model that exists no more), `rotdyn_error_scene`, `rotdyn_error_type`, `rotdyn_error_package`: \pkg{DBI} is
 #'   needed, \pkg{RSQLite} for files, \pkg{yyjsonr} to read scenes. RPostgreSQL is refused: it
 #'   rounds numbers to 15 digits.
 #' @source <https://www.sqlite.org/stricttables.html>, <https://www.sqlite.org/foreignkeys.html>.
@@ -102,6 +102,12 @@ records_add <- function(con, motion, ..., note = NULL, rows = "some") {
   if (!is.null(note)) note <- check_name(note, "note", call)
   rows <- check_string(rows, "rows", c("some", "all"), call)
   scene <- text_of_motion(motion, call)
+  if (is.unsorted(motion$time_s)) {
+    abort_rotdyn(c(
+      "The rows of {.arg motion} must be in the order of their times, as a run gives them.",
+      i = "{.code motion[order(motion$time_s), ]}"
+    ), "time", call)
+  }
   db <- connect_records(con, call)
   on.exit(db$close())
   write_record(db, motion, scene, note, rows, NA_character_, call)
@@ -188,6 +194,11 @@ records_check <- function(con, ...) {
   say("hashes of the scenes", !length(wrong), first(wrong))
   lost <- data$scenes$scene[!vapply(data$scenes$json, can_be_read, NA, USE.NAMES = FALSE)]
   say("every scene can be read", !length(lost), first(lost))
+  timeless <- data$runs$run[!as.logical(Map(function(text, rows) {
+    if (is.na(rows)) rows <- Inf
+    tryCatch(is.double(read_times(text, call, rows)), rotdyn_error = function(e) FALSE)
+  }, data$runs$times, data$runs$row_count))]
+  say("the times of every run can be read", !length(timeless), first(timeless))
   without <- setdiff(data$runs$run[data$runs$row_count > 0], data$run_values$run)
   say("every run has its values", !length(without), first(without))
   rows <- data$runs$row_count[match(data$run_values$run, data$runs$run)]

@@ -478,3 +478,14 @@ test_that("a step is measured where its rate is, up to the time at which a hole 
   expect_equal(found$advance, c(NA, 1, 0.5, 0.5, 3, 0.5))
   expect_identical(found$measured, c(FALSE, TRUE, TRUE, FALSE, FALSE, TRUE))
 })
+
+test_that("an angle is one column, and a heading that of one", {
+  data <- data.frame(time_s = 0:3)
+  data$theta_rad <- cbind(0:3, 1:4)
+  expect_error(motion_record(data), "table of 2 columns", class = "rotdyn_error_size")
+  data$theta_rad <- matrix(c(0, 1, 3, 6))
+  expect_identical(motion_record(data)$theta_rad, c(0, 1, 3, 6))
+  data <- data.frame(time_s = 0:3, theta_rad = 0:3, theta_rad = 4:1, check.names = FALSE)
+  expect_error(motion_record(data), "2 columns `?theta_rad", class = "rotdyn_error_value")
+  expect_error(motion_record(data.frame()), "There are no columns", class = "rotdyn_error_missing")
+})

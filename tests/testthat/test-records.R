@@ -752,3 +752,43 @@ test_that("a motion with an edited row is not recorded as balanced", {
     records_list(lab)$verdict, rep(c("balanced", "not audited", "unbalanced"), c(3, 1, 1))
   )
 })
+
+test_that("damaged times show in the check, rows out of order are no record", {
+  need()
+  lab <- new_lab()
+  on.exit(unlink(lab))
+  motion <- trajectory(wheel(), 0:4)
+  run <- records_add(lab, motion)
+  expect_error(records_add(lab, motion[5:1, ]), "order of their times", class = "rotdyn_error_time")
+  expect_identical(records_add(lab, motion[c(1, 3, 3), ]), records_list(lab)$run[2])
+  expect_true(all(records_check(lab)$holds))
+  for (times in c('{"at":[1,null]}', "{}", '{"from":0,"n":-1,"step":1}')) {
+    asked(lab, "UPDATE rot_run SET times = ? WHERE run = ?", params = list(times, run))
+    check <- records_check(lab)
+    expect_identical(check$detail[!check$holds], run, info = times)
+    expect_match(check$check[!check$holds], "times of every run")
+  }
+})
+
+test_that("what a database refuses comes with a remedy", {
+  need()
+  motion <- trajectory(wheel(), 0:4)
+  expect_error(records_create(file.path(tempdir(), "none", "a.sqlite")), "Its folder must exist",
+               class = "rotdyn_error_database")
+  text <- tempfile()
+  on.exit(unlink(text))
+  writeLines(strrep("no database ", 20), text)
+  expect_error(records_list(text), "records_create", class = "rotdyn_error_database")
+  lab <- new_lab()
+  con <- DBI::dbConnect(RSQLite::SQLite(), lab, flags = RSQLite::SQLITE_RO)
+  expect_error(records_add(con, motion), "only reads", class = "rotdyn_error_database")
+  DBI::dbDisconnect(con)
+  con <- DBI::dbConnect(RSQLite::SQLite(), lab)
+  records_list(con)
+  DBI::dbBegin(con)
+  expect_error(records_add(con, motion), "commit it first", class = "rotdyn_error_database")
+  DBI::dbRollback(con)
+  DBI::dbExecute(con, "ALTER TABLE rot_run RENAME COLUMN note TO notes")
+  expect_error(records_list(con), "tables were changed", class = "rotdyn_error_database")
+  DBI::dbDisconnect(con)
+})
