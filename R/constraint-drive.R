@@ -19,7 +19,7 @@ drive_constraint <- function() {
     stops = stops_at_rest(stop_theta_rad = "theta_rad", goes_on = drive_goes_on),
     summary = function(x, run, call) {
       whole <- function(column) {
-        if (!is.null(x[[column]])) rowsum(x[[column]], as.character(x$time_s))
+        if (!is.null(x[[column]])) rowsum(x[[column]], match(x$time_s, x$time_s))
       }
       heat <- vapply(c("heat_j", "coupling_heat_j"), function(column) {
         sum(x[[column]][x$time_s == last(x$time_s)], na.rm = TRUE)

@@ -33,7 +33,7 @@ rotors_constraint <- function() {
     periods = function(scene, call) periods_of_modes(shaft_modes(scene)$natural_rad_per_s),
     summary = function(x, run, call) {
       whole <- function(column) {
-        if (!is.null(x[[column]])) rowsum(x[[column]], as.character(x$time_s))
+        if (!is.null(x[[column]])) rowsum(x[[column]], match(x$time_s, x$time_s))
       }
       list(
         moment_of_inertia_kg_m2 = sum(run$scene$moment_of_inertia_kg_m2),

@@ -155,9 +155,10 @@ search_column <- function(read, slopes, column, time_s) {
 largest_values <- function(x, run, columns, call, minimum = character()) {
   rows <- unclass(x)[intersect(columns, names(x))]
   found <- list(time_s = x$time_s, columns = rows)
-  if (nrow(x) && is.finite(run$info$error)) {
+  span <- x$time_s[!is.na(x$time_s)]
+  if (length(span) && is.finite(run$info$error)) {
     again <- tryCatch(
-      search_extremes(run, columns, range(x$time_s), call),
+      search_extremes(run, columns, range(span), call),
       rotdyn_error = function(e) tell_rows_only(e, call)
     )
     found <- again %||% found

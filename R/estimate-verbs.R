@@ -35,6 +35,12 @@ check_estimate <- function(x, arg, call) {
     length(fit$break_se_s) == length(fit$breaks$time_s) && fit$fit[1] %in% 2:5 &&
     all(fit$breaks$first %in% 1:3) && !is.unsorted(fit$core$segment)
   if (!ok) abort_form("parts", arg, "estimate", call)
+  if (!identical(as.double(x[["time_s"]]), as.double(fit$data$time_s))) {
+    abort_rotdyn(c(
+      "{.arg {arg}} must have the rows that {.fn estimate_motion} gave.",
+      x = "It has {nrow(x)}, of {length(fit$data$time_s)}, or other times."
+    ), "value", call)
+  }
   fit
 }
 
@@ -384,6 +390,9 @@ noise_words <- function(fit) {
     }
   )
 }
+
+#' @export
+`names<-.rot_estimate` <- function(x, value) reconstruct_estimate(NextMethod(), x)
 
 #' @export
 `[.rot_estimate` <- function(x, ...) reconstruct_estimate(NextMethod(), x)

@@ -130,7 +130,7 @@ audit_label <- function(object, i) {
 
 # From and to of each bar; NULL where the balance could not be drawn up.
 balance_bars <- function(terms, unit, panel, rounding = 0) {
-  if (anyNA(terms$value) || !nrow(terms)) return(NULL)
+  if (!NROW(terms) || anyNA(terms$value)) return(NULL)
   # Nothing but rounding: all is 0.
   if (isTRUE(max(abs(terms$value)) <= rounding)) terms$value <- 0 * terms$value
   # What is rounding of the largest term is no bar.

@@ -40,6 +40,7 @@ autoplot.rot_record <- function(object, ..., units = NULL, base_size = 13) {
       piece = paste(object$segment, cumsum(!kept))
     )[kept, ]
   }))
+  if (!NROW(long)) abort_rotdyn("There are no rows to draw.", "value", call)
   long$panel <- factor(long$panel, levels)
   layer <- if (nrow(object) > 400L) {
     ggplot2::geom_line(

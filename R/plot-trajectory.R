@@ -161,6 +161,7 @@ plot_runs <- function(parts, units, panels, base_size, call) {
   columns <- unique(unlist(lapply(parts, function(part) names(part$rows))))
   chosen <- choose_panels(constraint, panels, columns, call)
   long <- panel_lines(parts, chosen, constraint, units, drop_zero = is.null(panels))
+  if (!any(is.finite(long$value))) abort_rotdyn("There are no values to draw.", "value", call)
   several <- length(parts) > 1L
   time <- in_plot_unit("time (s)", units)
   lines <- setdiff(levels(long$line), no_name)

@@ -19,7 +19,9 @@
 #' @concept plot
 #' @concept cost of accuracy
 autoplot.rot_work_precision <- function(object, ..., base_size = 13) {
-  check_plot(base_size, ...)
+  call <- check_plot(base_size, ...)
+  needed <- c("model", "accuracy", "cost_s", "error", "true_error", "reference_error", "floor")
+  for (column in setdiff(needed, names(object))) abort_missing_column(column, object, call)
   points <- as.data.frame(object)
   fixed <- is.na(points$accuracy)
   asked <- ifelse(fixed, points[["step_s"]] %||% NA_real_, points$accuracy)
@@ -27,6 +29,7 @@ autoplot.rot_work_precision <- function(object, ..., base_size = 13) {
   points <- points[order(match(points$model, unique(points$model)), -asked), ]
   points$model <- factor(points$model, levels = unique(points$model))
   points <- points[is.finite(points$true_error) & points$cost_s > 0, ]
+  if (!nrow(points)) abort_rotdyn("There are no runs to draw.", "value", call)
   limit <- 3 * max(points$reference_error)
   shown <- points[!points$floor, ]
   at_floor <- points[points$floor, ]
