@@ -122,7 +122,7 @@ database_remedies <- c(
   "readonly" = "The file, or its folder, is write-protected, or the connection only reads.",
   "unable to open" = "Its folder must exist, and the user may read the file and write to both.",
   "not a database" = "A file of records is made by {.fn records_create}.",
-  "malformed" = "The file is damaged: take a copy of it, or what {.code sqlite3 FILE .recover} saves.",
+  "malformed" = "The file is damaged: take a copy, or what {.code sqlite3 FILE .recover} saves.",
   "no such column|no column named" =
     "The tables were changed: {.fn metadata} with a {.arg dialect} shows what they are.",
   "within a transaction" = "A transaction is open: commit it first."

@@ -29,8 +29,8 @@ records_format <- 1L
 #' to expect of them.
 #'
 #' `records_check()` looks at keys, checks and references in R, at types and encodings, at the
-#' hashes of the scenes, whether every scene and the times of every run can be read and every run has
-#' its values; and at what SQLite says of its file.
+#' hashes of the scenes, whether every scene and the times of every run can be read and every run
+#' has its values; and at what SQLite says of its file.
 #'
 #' `metadata(dialect = )` has tables, rows and views as a script, for those without R.
 #'

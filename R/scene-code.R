@@ -7,8 +7,8 @@
 #' `capabilities("long.double")` may read a neighbour of some.
 #'
 #' What no call with numbers makes has no such code: bodies from meshes and densities, from tensors
-#' about another point or along other axes than their own, and R functions. [write_scene()] keeps all
-#' but the last.
+#' about another point or along other axes than their own, and R functions. [write_scene()] keeps
+#' all but the last.
 #'
 #' @param scene A scene (see [scene_axle()]), or a `rot_body`.
 #' @param ... Not used: an unknown argument is an error.

@@ -16,7 +16,8 @@ scene_format <- 1
 #' `-Inf` and `NaN` are strings. A constant torque is a number.
 #'
 #' A body from a mesh, a density or a tensor that was moved is written by its mass, centre of mass
-#' and second moment (key `rot_body`): it computes the same; a mesh's triangles, for its picture, are left out.
+#' and second moment (key `rot_body`): it computes the same; a mesh's triangles, for its picture,
+#' are left out.
 #' So is one that was joined more than some 25 times, one inside the other.
 #'
 #' R functions have no text: forces and torque laws that are functions, or become one (laws along

@@ -8,9 +8,9 @@
 #' angle finite. With dry friction it stops, and stays at rest while the torque is at most the
 #' static friction.
 #'
-#' Elsewhere the motion is computed, by the model that [trajectory()] takes, until all is at rest for
-#' good: of a body on an incline, a bead on a hoop and a drive, and of an axle where the closed form
-#' does not fit, such as a pendulum with friction.
+#' Elsewhere the motion is computed, by the model that [trajectory()] takes, until all is at rest
+#' for good: of a body on an incline, a bead on a hoop and a drive, and of an axle where the closed
+#' form does not fit, such as a pendulum with friction.
 #'
 #' @param scene A scene of [scene_axle()], [scene_incline()], [scene_hoop()] or [scene_drive()].
 #' @param ... Not used: an unknown argument is an error.
@@ -26,19 +26,19 @@
 #'
 #'   Of the others the columns `stop_time_s`, when all is at rest, and the place where: `stop_x_m`
 #'   and `stop_theta_rad` on an incline, `stop_theta_rad` of a bead, `rotor` and `stop_theta_rad`
-#'   with a row for each rotor of a drive. On an incline also `terminal_v_m_per_s`, the speed that the
-#'   body tends to, infinite where it is accelerated for good.
+#'   with a row for each rotor of a drive. On an incline also `terminal_v_m_per_s`, the speed that
+#'   the body tends to, infinite where it is accelerated for good.
 #'
 #'   One rule holds for all: what stops has its time; what is known never to stop, because nothing
-#'   holds it at rest or it is driven or swings for ever, has the time Inf and, but for the angle of an
-#'   axle, the place NaN, and where the speed does not say why, a message does
+#'   holds it at rest or it is driven or swings for ever, has the time Inf and, but for the angle of
+#'   an axle, the place NaN, and where the speed does not say why, a message does
 #'   (`rotdyn_message_stop`); what is not known is an error (`rotdyn_error_model`).
 #' @section Warnings: `rotdyn_warning_range` where the angle of a stop is beyond double precision;
 #'   `rotdyn_warning_slack` where the rope of a hanging mass would have to push.
 #' @section Errors: `rotdyn_error_type`; `rotdyn_error_range` where the motion to the stop is beyond
-#'   double precision; `rotdyn_error_model` where it is not known whether the scene stops (a law that
-#'   changes in time, or is a function; one still in motion 4^10 s after the last change of its laws,
-#'   4^30 s where at most 1000 steps lead there), and for a scene of another kind.
+#'   double precision; `rotdyn_error_model` where it is not known whether the scene stops (a law
+#'   that changes in time, or is a function; one still in motion 4^10 s after the last change of its
+#'   laws, 4^30 s where at most 1000 steps lead there), and for a scene of another kind.
 #' @source Riccati's equation; Armstrong-Helouvry, Control of Machines with Friction (1991), chapter
 #'   2.
 #' @seealso [time_when()], [motion_events()], [resistance()].

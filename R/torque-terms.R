@@ -8,8 +8,9 @@ new_term <- function(kind, x, text, from_s = -Inf, to_s = Inf, breaks_s = c(from
   )
 }
 
-# The term with its torque multiplied by a factor: what its constructor makes of the product, so that
-# it has the same words and R code. A spring and a weight that no constructor makes keep their kind.
+# The term with its torque multiplied by a factor: what its constructor makes of the product, so
+# that it has the same words and R code. A spring and a weight that no constructor makes keep their
+# kind.
 scale_term <- function(term, factor, call) {
   x <- term$x
   at <- switch(term$kind,
@@ -21,8 +22,16 @@ scale_term <- function(term, factor, call) {
   if (!all(is.finite(term$x))) return(term)
   if (term$kind == "gravity") return(scale_gravity(term, factor, call))
   if (term$kind == "spring") return(spring_law(term$x[1], x[2]))
-  form <- term_texts()[[term$kind]][[1]]
-  do.call(form$read, Filter(Negate(is.null), form$arguments(term)))
+  x <- term$x
+  n <- x[1]
+  switch(term$kind,
+    sinusoid = torque_sinusoid(x[1], x[2], x[3], from_s = term$from_s, to_s = term$to_s),
+    exponential = torque_exponential(x[1], x[2], from_s = term$from_s, to_s = term$to_s),
+    polynomial = torque_polynomial(
+      x[2 + seq_len(n + 1)], matrix(x[-seq_len(n + 3)], n, byrow = TRUE)
+    ),
+    curve = torque_curve(x[1 + seq_len(n)], x[1 + n + seq_len(n)])
+  )
 }
 
 # Of a text older than its parts: the product alone.
