@@ -100,14 +100,19 @@ double rot_shaft_mode_error(const rot_shaft_modes *s, size_t m, double t) {
   }
   const double driven = force * fmin(T, 2.0 / sigma);
   if (t < 0.0) return (start + leak + driven) * exp(2.0 * b * T) * (1.0 + (sigma + b) * T);
-  /* The rounding of b changes nu by the fraction b^2/nu of it, and exp(-b t) by the fraction b
-   * t. */
-  double phase = 1.0;
+  /* What the start leaves: exp(A t) at most (1 + 2 b t) exp(-b t), overdamped (1 + 2 sigma t)
+   * exp(-slow t). The rounding of b changes nu by the fraction b^2/nu of it, and exp(-b t) by the
+   * fraction b t. */
+  double phase = 1.0, slow = b;
   if (b < sigma) {
     const double known = s->sigma_off[m] / ROT_EPS;
     phase += (known * sigma + b + b * (b / sigma)) * T * exp(-b * T);
+  } else {
+    slow = sigma * (sigma / (b + sqrt(b - sigma) * sqrt(b + sigma)));
   }
-  return leak + (start + driven) * (1.0 + phase);
+  const double left = fmin(1.0, (1.0 + 2.0 * fmin(b, sigma) * T) * exp(-slow * T));
+  return s->leak[m] * left + s->force_leak[m] * reach + start * (left + phase - 1.0) +
+         driven * phase;
 }
 
 double rot_shaft_roundings(const rot_shaft_modes *s) {
@@ -121,5 +126,6 @@ void rot_shaft_decoupled_at(const rot_shaft_modes *s, rot_dd t, double p[], doub
     r[m] = s->r0[m];
     move_mode(s->sigma[m], s->sigma_lo[m], s->damp[m], s->force[m], t, &p[m], &r[m]);
     error[m] = ROT_EPS * rot_shaft_roundings(s) * rot_shaft_mode_error(s, m, t.hi);
+    error[s->n + m] = error[m];
   }
 }

@@ -99,13 +99,10 @@ static rot_status modes_at(const rot_shaft_modes *s, rot_dd t, double p[], doubl
     rot_shaft_decoupled_at(s, t, p, r, error);
     return ROT_OK;
   }
-  const size_t room = rot_shaft_coupled_room(s->n);
-  double *memory = malloc((room + 2 * s->n + 1) * sizeof *memory);
-  if (!memory) return ROT_ENOMEM;
-  rot_shaft_stepper one = rot_shaft_stepper_in(s->n, memory);
-  const rot_status status = rot_shaft_jump(s, &one, t, memory + room, p, r);
-  if (status == ROT_OK) rot_shaft_coupled_errors(s, t.hi, 0.0, p, r, error);
-  free(memory);
+  rot_shaft_coupled x;
+  rot_status status = rot_shaft_coupled_begin(&x, s);
+  if (status == ROT_OK) status = rot_shaft_coupled_at(&x, t, p, r, error);
+  rot_shaft_coupled_end(&x);
   return status;
 }
 
@@ -115,10 +112,10 @@ static rot_status balance_of_modes(const rot_shaft_params *p, rot_dd begin, rot_
   rot_shaft_modes s;
   const double from = begin.hi, to = finish.hi;
   const size_t n = p->n;
-  double *memory = calloc(6 * n, sizeof *memory);
+  double *memory = calloc(8 * n, sizeof *memory);
   rot_status status = memory ? rot_shaft_modes_build(&s, p, hooks) : ROT_ENOMEM;
   if (!memory) return status;
-  double *p0 = memory, *r0 = p0 + n, *p1 = r0 + n, *r1 = p1 + n, *e0 = r1 + n, *e1 = e0 + n;
+  double *p0 = memory, *r0 = p0 + n, *p1 = r0 + n, *r1 = p1 + n, *e0 = r1 + n, *e1 = e0 + 2 * n;
   if (status == ROT_OK) status = modes_at(&s, begin, p0, r0, e0);
   if (status == ROT_OK) status = modes_at(&s, finish, p1, r1, e1);
   for (size_t i = 0; i < n && status == ROT_OK; i++) {
@@ -126,7 +123,8 @@ static rot_status balance_of_modes(const rot_shaft_params *p, rot_dd begin, rot_
     double error = 8.0 * ROT_EPS * (fabs(p0[0]) + fabs(p1[0]));
     for (size_t m = 0; m < n; m++) {
       const double shape = fabs(s.shape[i * n + m]);
-      error += shape * (e0[m] + e1[m]) * (m > s.floppy ? 1.0 / s.sigma[m] : fabs(to) + fabs(from));
+      error += shape * (m > s.floppy ? (e0[n + m] + e1[n + m]) / s.sigma[m]
+                                     : (e0[m] + e1[m]) * (fabs(to) + fabs(from)));
     }
     ledger->work_j += tau * ((p1[0] - p0[0]) + twist);
     ledger->work_rounding_j += fabs(tau) * error;

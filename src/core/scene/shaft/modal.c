@@ -19,9 +19,10 @@ typedef struct modal_run {
   size_t rows;
   const rot_shaft_columns *out;
   rot_info *info;
-  double *p, *r, *error;  /* n each: modes at the row, their errors */
+  double *p, *r;          /* n each: modes at the row */
+  double *error;          /* 2 n: of r, of p */
   int fast;               /* 1: evenly spaced rows share an exponential */
-  rot_shaft_stepper one;  /* coupled modes: from the start to a row */
+  rot_shaft_coupled from; /* coupled modes: from the start to a row */
   rot_shaft_stepper grid; /* coupled modes: one step of an even grid */
   double *state;          /* 2 n + 1, of the coupled system */
   size_t even_left;       /* remaining rows of the even grid */
@@ -48,15 +49,19 @@ static rot_status write_row(const modal_run *run, size_t row, double t) {
     momentum -= p->viscous_n_m_s[i] / s->inertia * (theta[i] - p->theta0_rad[i]);
     size += p->viscous_n_m_s[i] / s->inertia * fabs(theta[i] - p->theta0_rad[i]);
   }
-  for (size_t i = 0; i < n; i++) momentum -= s->fraction[i] * omega[i];
-  /* Without the rounding of this sum, which is no error of the rows. */
-  const double residual = fmax(0.0, fabs(momentum) - 2.0 * (double)n * ROT_EPS * size);
+  for (size_t i = 0; i < n; i++) {
+    momentum -= s->fraction[i] * omega[i];
+    size += s->fraction[i] * fabs(omega[i]);
+  }
+  /* Without the rounding of this sum, which is no error of the rows. What the shapes leave of it is
+   * an error of the rates, and swings with the twists: the angles do not add it up. */
+  const double residual = fmax(0.0, fabs(momentum) - ROT_EPS * rot_shaft_roundings(s) * size);
   for (size_t i = 0; i < n; i++) {
     double theta_error = 0.0, omega_error = 0.0;
     for (size_t m = 1; m < n; m++) {
       const double shape = fabs(s->shape[i * n + m]), error = run->error[m];
       const double angle =
-          m > s->floppy ? error / s->sigma[m]
+          m > s->floppy ? run->error[n + m] / s->sigma[m]
                         : error * fabs(t) + ROT_EPS * rot_shaft_roundings(s) * fabs(s->p0[m]);
       /* Coupled modes: one error, of the norm; decoupled modes: one error each. */
       omega_error = s->decoupled ? omega_error + shape * error : hypot(omega_error, shape * error);
@@ -64,9 +69,9 @@ static rot_status write_row(const modal_run *run, size_t row, double t) {
     }
     omega_error += run->error[0] + residual +
                    ROT_EPS * (2.0 * fabs(omega[i]) + rot_shaft_roundings(s) * s->omega_spread);
-    theta_error += (run->error[0] + residual) * fabs(t) +
-                   ROT_EPS * (2.0 * fabs(s->theta0) + 2.0 * fabs(theta[i]) +
-                              rot_shaft_roundings(s) * s->theta_spread);
+    theta_error +=
+        run->error[0] * fabs(t) + ROT_EPS * (2.0 * fabs(s->theta0) + 2.0 * fabs(theta[i]) +
+                                             rot_shaft_roundings(s) * s->theta_spread);
     if (t == 0.0) { /* the initial state, not its sum of modes */
       theta[i] = p->theta0_rad[i];
       omega[i] = p->omega0_rad_per_s[i];
@@ -86,6 +91,13 @@ static rot_status write_row(const modal_run *run, size_t row, double t) {
   return ROT_OK;
 }
 
+/* How much t_(i+k) is later than t_i + k h, without rounding: the last digit of a time is 1e-7 rad at
+ * 1e8 rad/s. */
+static double late_by(const double time_s[], size_t i, size_t k, double h) {
+  const rot_dd between = rot_dd_sum2(time_s[i + k], -time_s[i]);
+  return rot_dd_sub(between, rot_dd_mul2((double)k, h)).hi;
+}
+
 /* Number of evenly spaced times t_i, t_i + h, ... from row i on, up to deviations that a
  * first-order correction removes; 1: fewer than 8. */
 static size_t even_rows(const rot_shaft_modes *s, size_t n, const double time_s[], size_t i) {
@@ -93,8 +105,7 @@ static size_t even_rows(const rot_shaft_modes *s, size_t n, const double time_s[
   const double h = time_s[i + 1] - time_s[i];
   size_t k = 1;
   if (!(h > 0.0)) return 1;
-  while (i + k < n &&
-         fabs(time_s[i + k] - (time_s[i] + (double)k * h)) * fmax(s->norm, s->decay) <= 1e-8) {
+  while (i + k < n && fabs(late_by(time_s, i, k, h)) * fmax(s->norm, s->decay) <= 1e-8) {
     k++;
   }
   return k >= 8 ? k : 1;
@@ -111,21 +122,19 @@ static rot_status even_segment(const modal_run *run, size_t i, size_t count, siz
   double *state = run->state;
   for (size_t m = 0; m < n; m++) {
     const double weight = m == 0 ? s->root_inertia : 1.0;
-    state[m] = run->p[m] * weight / (m <= s->floppy ? fabs(grid->step) : 1.0);
+    state[m] = run->p[m] * weight * (m <= s->floppy ? grid->scale : 1.0);
     state[n + m] = run->r[m] * weight;
   }
   state[2 * n] = grid->unit;
   for (size_t k = 1; k < count; k++) {
-    const double even = time_s[i] + (double)k * grid->step;
-    const double off = (time_s[i + k] - even) / grid->step;
+    const double late = late_by(time_s, i, k, grid->step) / grid->step;
+    rot_shaft_step_errors(&run->from, grid, state, run->error);
     rot_expm_apply(size, grid->e, state, next);
     memcpy(state, next, size * sizeof *state);
     rot_expm_apply(size, grid->a, state, slope);
-    for (size_t j = 0; j < size; j++) moved[j] = state[j] + off * slope[j];
+    for (size_t j = 0; j < size; j++) moved[j] = state[j] + late * slope[j];
     rot_shaft_coupled_read(s, grid, moved, run->p, run->r);
     const double t = time_s[i + k] - s->p->start_s;
-    rot_shaft_coupled_errors(s, t, 2.0 * (double)k / (1.0 + s->norm * fabs(t)), run->p, run->r,
-                             run->error);
     const rot_status status = write_row(run, i + k, t);
     if (status != ROT_OK) return status;
     *end = i + k + 1;
@@ -140,17 +149,16 @@ static rot_status coupled_rows(void *model, size_t i, size_t last, size_t *end) 
   const rot_dd time = rot_dd_sum2(run->time_s[i], -s->p->start_s);
   const double t = time.hi;
   *end = i;
-  rot_status status = rot_shaft_jump(s, &run->one, time, run->state, run->p, run->r);
+  rot_status status = rot_shaft_coupled_at(&run->from, time, run->p, run->r, run->error);
   if (status != ROT_OK) return status;
   run->info->steps++;
-  rot_shaft_coupled_errors(s, t, 0.0, run->p, run->r, run->error);
   status = write_row(run, i, t);
   if (status != ROT_OK) return status;
   *end = i + 1;
   if (run->fast && run->even_left <= 1) {
     run->even_left = even_rows(s, run->rows, run->time_s, i);
     if (run->even_left > 1) {
-      status = rot_shaft_set_step(s, &run->grid, run->time_s[i + 1] - run->time_s[i]);
+      status = rot_shaft_coupled_step(&run->from, run->time_s[i + 1] - run->time_s[i], &run->grid);
     }
   }
   size_t count = run->even_left < ROWS_PER_ANCHOR ? run->even_left : ROWS_PER_ANCHOR;
@@ -185,19 +193,23 @@ rot_status rot_shaft_modal(const rot_shaft_params *p, int fast, size_t n, const 
   info->status = rot_shaft_modes_build(&s, p, hooks);
   if (info->status == ROT_OK) {
     const size_t room = s.decoupled ? 0 : rot_shaft_coupled_room(p->n);
-    double *memory = malloc((2 * room + 5 * p->n + 1) * sizeof *memory), *x = memory;
+    double *memory = malloc((room + 6 * p->n + 1) * sizeof *memory), *x = memory;
     modal_run run = {.s = &s, .time_s = time_s, .rows = n, .out = out, .info = info, .fast = fast};
     if (memory) {
       if (!s.decoupled) {
-        run.one = rot_shaft_stepper_in(p->n, x);
-        run.grid = rot_shaft_stepper_in(p->n, x + room);
+        run.grid = rot_shaft_stepper_in(p->n, x);
+        info->status = rot_shaft_coupled_begin(&run.from, &s);
       }
-      run.p = x += 2 * room;
+      run.p = x += room;
       run.r = x += p->n;
       run.error = x += p->n;
-      run.state = x + p->n;
+      run.state = x + 2 * p->n;
       info->steps = s.decoupled && n > 0;
-      rot_step_rows(s.decoupled ? &decoupled : &coupled, &run, p->start_s, n, time_s, hooks, info);
+      if (info->status == ROT_OK) {
+        rot_step_rows(s.decoupled ? &decoupled : &coupled, &run, p->start_s, n, time_s, hooks,
+                      info);
+      }
+      if (!s.decoupled) rot_shaft_coupled_end(&run.from);
     } else {
       info->status = ROT_ENOMEM;
     }

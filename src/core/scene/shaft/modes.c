@@ -1,6 +1,7 @@
 #include "scene/shaft/modes.h"
 
 #include <math.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -9,13 +10,13 @@
 #include "ground/real.h"
 
 static int allocate(rot_shaft_modes *s, size_t n) {
-  double *next = s->memory = calloc(n * (4 * n + 10), sizeof *next);
+  double *next = s->memory = calloc(n * (5 * n + 10), sizeof *next);
   if (!next) return 0;
   double **small[] = {&s->leak,  &s->force_leak, &s->sigma_lo, &s->sigma_off, &s->fraction,
                       &s->sigma, &s->damp,       &s->p0,       &s->r0,        &s->force};
-  double **large[] = {&s->shape, &s->twist, &s->lever, &s->coupling};
+  double **large[] = {&s->shape, &s->twist, &s->lever, &s->coupling, &s->coupling_lo};
   for (int i = 0; i < 10; i++, next += n) *small[i] = next;
-  for (int i = 0; i < 4; i++, next += n * n) *large[i] = next;
+  for (int i = 0; i < 5; i++, next += n * n) *large[i] = next;
   return 1;
 }
 
@@ -267,6 +268,14 @@ static int proportional(size_t n, const double x[], const double y[], double *ra
   return isfinite(max);
 }
 
+/* c x y. The rank of a stiff damper is 1 in twice the precision, too: rounded, it would damp the
+ * motions that it leaves alone. */
+static rot_dd of_part(double c, double x, double y) {
+  if (c == 0.0) return (rot_dd){0.0, 0.0};
+  const rot_dd product = rot_dd_mul1(rot_dd_mul2(x, y), c);
+  return isfinite(product.lo) ? product : (rot_dd){c * x * y, 0.0};
+}
+
 /* Column 0 of twist is 0: torques between rotors do not act on the mean, exactly. */
 static rot_status find_damping(rot_shaft_modes *s) {
   const size_t n = s->n;
@@ -277,16 +286,19 @@ static rot_status find_damping(rot_shaft_modes *s) {
   s->decoupled = (springs || n == 2) && s->mean_alone;
   for (size_t a = 0; a < n; a++) {
     for (size_t b = 0; b < n; b++) {
-      double sum = 0.0;
-      for (size_t j = 0; j + 1 < n; j++) sum += c[j] * s->twist[j * n + a] * s->twist[j * n + b];
+      rot_dd sum = {0.0, 0.0};
+      for (size_t j = 0; j + 1 < n; j++) {
+        sum = rot_dd_add(sum, of_part(c[j], s->twist[j * n + a], s->twist[j * n + b]));
+      }
       for (size_t i = 0; i < n; i++) {
         if (s->mean_alone) break;
         const double x = a == 0 ? 1.0 / s->root_inertia : s->shape[i * n + a];
         const double y = b == 0 ? 1.0 / s->root_inertia : s->shape[i * n + b];
-        sum += d[i] * x * y;
+        sum = rot_dd_add(sum, of_part(d[i], x, y));
       }
-      if (s->mean_alone && a == b) sum += of_rotors;
-      s->coupling[a * n + b] = sum;
+      if (s->mean_alone && a == b) sum = rot_dd_add1(sum, of_rotors);
+      s->coupling[a * n + b] = sum.hi;
+      s->coupling_lo[a * n + b] = isfinite(sum.lo) ? sum.lo : 0.0;
     }
     s->damp[a] = s->coupling[a * n + a];
     if (springs) s->damp[a] = of_springs * s->sigma[a] * s->sigma[a] + of_rotors;
@@ -341,16 +353,19 @@ static void start_twist(rot_shaft_modes *s, size_t m) {
     const double theta = p->theta0_rad[i] - s->theta0, omega = p->omega0_rad_per_s[i] - s->omega0;
     const double left = p->torque_n_m[i] - J * s->alpha;
     angle[0].value += sigma * (J * shape * theta);
-    angle[0].size += sigma * (J * largest * fabs(theta));
     rate[0].value += J * shape * omega;
-    rate[0].size += J * largest * fabs(omega);
     torque[0].value += shape * left;
-    torque[0].size += largest * fabs(left);
     carried += left;
+    if (shape != 0.0) { /* else exactly: a rotor of another group */
+      angle[0].size += sigma * (J * largest * fabs(theta));
+      rate[0].size += J * largest * fabs(omega);
+      torque[0].size += largest * fabs(left);
+    }
     if (i + 1 == n || p->stiffness_n_m_per_rad[i] == 0.0) continue;
     const double lever = s->lever[i * n + m], root = sqrt(p->stiffness_n_m_per_rad[i]);
     const double twist = p->theta0_rad[i] - p->theta0_rad[i + 1];
     const double slip = p->omega0_rad_per_s[i] - p->omega0_rad_per_s[i + 1];
+    if (lever == 0.0) continue;
     angle[1].value += lever * twist;
     angle[1].size += root * fabs(twist);
     rate[1].value += lever * slip / sigma;
@@ -406,6 +421,42 @@ rot_status rot_shaft_modes_build(rot_shaft_modes *s, const rot_shaft_params *p,
   if (status == ROT_OK) status = sharpen(s);
   if (status == ROT_OK) status = find_damping(s);
   if (status == ROT_OK) find_start(s);
+  return status;
+}
+
+/* +-1, the next of a sequence (Knuth's multiplier) */
+static double sign_of(uint64_t *state) {
+  *state = *state * 6364136223846793005u + 1442695040888963407u;
+  return *state >> 63 ? 1.0 : -1.0;
+}
+
+/* Moves the levers, finds shapes and damping anew, moves the start. */
+rot_status rot_shaft_modes_shift(const rot_shaft_modes *s, double fraction, int which,
+                                 rot_shaft_modes *to) {
+  const size_t n = s->n;
+  uint64_t state = (uint64_t)which + 1;
+  *to = *s;
+  if (!allocate(to, n)) return ROT_ENOMEM;
+  memcpy(to->memory, s->memory, n * (5 * n + 10) * sizeof *to->memory);
+  memset(to->shape, 0, n * n * sizeof *to->shape);
+  memset(to->twist, 0, n * n * sizeof *to->twist);
+  for (size_t j = 0; j + 1 < n; j++) {
+    for (size_t m = 1 + s->floppy; m < n; m++) {
+      /* Of a singular vector each component is known to some roundings of itself, and to one of
+       * the vector: with c = 5e6 the small ones alone moved the rates by 4e-13. */
+      const double root = sqrt(s->p->stiffness_n_m_per_rad[j]), lever = s->lever[j * n + m];
+      if (lever == 0.0) continue;
+      to->lever[j * n + m] += fraction * sign_of(&state) * (fabs(lever) + root / 16.0);
+    }
+  }
+  rot_status status = find_shapes(to);
+  if (status == ROT_OK) status = find_damping(to);
+  for (size_t m = 0; m < n; m++) {
+    to->p0[m] += fraction * sign_of(&state) * (s->leak[m] + fabs(s->p0[m]));
+    to->r0[m] += fraction * sign_of(&state) * (s->leak[m] + fabs(s->r0[m]));
+    to->force[m] += fraction * sign_of(&state) * (s->force_leak[m] + fabs(s->force[m]));
+  }
+  to->alpha = to->force[0];
   return status;
 }
 

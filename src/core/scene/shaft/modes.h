@@ -30,11 +30,16 @@ typedef struct rot_shaft_modes {
   double *twist;             /* (n - 1) x n: shape_i - shape_(i+1) */
   double *lever;             /* (n - 1) x n: elastic torque per p_m */
   double *coupling;          /* n x n: damping of the modes, masses 1 */
+  double *coupling_lo;       /* n x n: its low part */
 } rot_shaft_modes;
 
 /* shaft => modes. Call rot_shaft_modes_free() afterwards, also after a failure. */
 rot_status rot_shaft_modes_build(rot_shaft_modes *s, const rot_shaft_params *p,
                                  const rot_hooks *hooks);
+/* modes => modes with levers, start and torques moved by the fraction of what rounding moves them
+ * by, in directions that `which` chooses; their shapes and damping follow. Likewise to be freed. */
+rot_status rot_shaft_modes_shift(const rot_shaft_modes *s, double fraction, int which,
+                                 rot_shaft_modes *to);
 /* Frees the memory of the modes. */
 void rot_shaft_modes_free(rot_shaft_modes *s);
 

@@ -540,13 +540,68 @@ static void check_uneven_rows(void) {
     ROT_CHECK(fabs(theta[1][i] - theta[0][i]) < 1e-13);
     ROT_CHECK(fabs(omega[1][i] - omega[0][i]) < 1e-12);
   }
-  /* Each step adds its rounding to those of one exponential, whose phase is 25 rad/s times t. */
+  /* Each step adds its rounding, up to 60 of them; one row alone is in twice the precision. */
   for (int m = ROT_THETA; m <= ROT_OMEGA; m++) {
     ROT_CHECK(info[1].measure[m].error > info[0].measure[m].error);
-    ROT_CHECK(info[1].measure[m].error < 2.0 * info[0].measure[m].error);
+    ROT_CHECK(info[1].measure[m].error < 32.0 * info[0].measure[m].error);
   }
   printf("steps: %d, stated %.2g and %.2g\n", (int)info[1].steps, info[1].measure[ROT_OMEGA].error,
          info[0].measure[ROT_OMEGA].error);
+}
+
+/* Stiff shafts with uneven losses, phases up to 5e8 rad, or dampers that hold all but one motion:
+ * references by mpmath 1.3.0, exponentials of 80 digits. */
+static void check_stiff(void) {
+  static const struct {
+    double J[3], k[2], c[2], d[3], tau[3], theta0[3], omega0[3], t, theta[3], omega[3];
+  } stiff[] = {
+      {{0.01, 5.0, 30.0},
+       {1e12, 1e16},
+       {0.0, 0.0},
+       {0.1, 0.02, 0.5},
+       {1.0, -2.0, 3.0},
+       {0.0, 0.0, 0.0},
+       {2.0, 2.0, 2.0},
+       10.0,
+       {21.0240710398693918, 21.0240710398686121, 21.024071039868612},
+       {2.19894532848107181, 2.19894533191968661, 2.19894532807993796}},
+      {{0.25, 1.0, 8.0},
+       {1e10, 1e14},
+       {3.0, 0.0},
+       {0.5, 0.0, 0.125},
+       {0.0, 1.0, 0.0},
+       {0.0, 0.0, 0.0},
+       {1.0, -1.0, 0.5},
+       2.0,
+       {0.864088267003177066, 0.864088272660286368, 0.86408826632998569},
+       {0.50915787361403847, 0.579599588908537522, 0.500381971986889515}},
+      {{0.02, 0.6, 0.005},
+       {9e5, 70.0},
+       {3e5, 5e6},
+       {0.01, 3.0, 0.01},
+       {0.7, 0.1, 0.0},
+       {-0.9, -0.5, 0.2},
+       {-0.125, -0.125, -0.125},
+       0.25,
+       {-0.683262889784949681, -0.494316652433592289, 0.205680897288321309},
+       {0.712863500646288599, 0.146022406970586475, 0.146012606093097977}},
+  };
+  for (size_t i = 0; i < sizeof stiff / sizeof *stiff; i++) {
+    const rot_shaft_params p = {3,          stiff[i].J,   stiff[i].k,      stiff[i].c,
+                                stiff[i].d, stiff[i].tau, stiff[i].theta0, stiff[i].omega0,
+                                0.0};
+    double theta[3], omega[3], torque[3];
+    const rot_shaft_columns out = {theta, omega, torque};
+    rot_info info;
+    ROT_CHECK_EQ_INT(rot_shaft_modal(&p, 1, 1, &stiff[i].t, &out, NULL, &info), ROT_OK);
+    const double *error = (double[]){info.measure[ROT_THETA].error, info.measure[ROT_OMEGA].error};
+    for (int j = 0; j < 3; j++) {
+      ROT_CHECK(fabs(theta[j] - stiff[i].theta[j]) <= error[0]);
+      ROT_CHECK(fabs(omega[j] - stiff[i].omega[j]) <= error[1]);
+    }
+    ROT_CHECK(error[0] <= 2e-13 * largest(3, stiff[i].theta));
+    ROT_CHECK(error[1] <= 2e-13 * largest(3, stiff[i].omega));
+  }
 }
 
 /* Free of torque and damping nothing flows, however long the shaft turns: exactly 0. */
@@ -653,6 +708,7 @@ int main(void) {
   check_elastic();
   check_backwards();
   check_uneven_rows();
+  check_stiff();
   check_no_flow();
   check_ends();
   check_rigid();
