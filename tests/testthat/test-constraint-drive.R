@@ -44,3 +44,16 @@ test_that("gravity swings as fast as its small swings, or as the body turns", {
   expect_equal(time_scales(2)$swing_rad_per_s, 3)
   expect_equal(time_scales(5)$swing_rad_per_s, 5)
 })
+
+test_that("an undamped stiff drive under a sinusoid is refused after a few steps", {
+  # 3e7 rad/s for 10 s; the whole budget took 5 s and reached 0.03 s.
+  s <- scene_rotors(
+    c(0.01, 1, 30), c(1e12, 1e15), torque = list(torque_sinusoid(2, 5), NULL, NULL)
+  )
+  error <- expect_error(trajectory(s, 0:10), "step budget")
+  reached <- as.numeric(sub(".*failed at ([^ ]+) s:.*", "\\1", conditionMessage(error)))
+  expect_lt(reached, 0.002)
+  # A softer one is solved: steps of its 5e4 rad/s are within reach.
+  soft <- scene_rotors(c(0.01, 1), 2e7, torque = list(torque_sinusoid(2, 5), NULL))
+  expect_lt(glance(trajectory(soft, c(0, 0.5)))$error, 1e-8)
+})

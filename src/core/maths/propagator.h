@@ -22,8 +22,8 @@ typedef struct rot_propagator {
   const rot_hooks *hooks;
 } rot_propagator;
 
-/* (A n x n, 1/s) => propagator. ROT_ERANGE if A is not finite. Call rot_propagator_end() afterwards,
- * also after a failure. */
+/* (A n x n, 1/s) => propagator. ROT_ERANGE if A is not finite. Call rot_propagator_end()
+ * afterwards, also after a failure. */
 rot_status rot_propagator_begin(rot_propagator *x, size_t n, const rot_dd a[],
                                 const rot_hooks *hooks);
 /* x => exp(A t) x, t >= 0. ROT_ERANGE if it overflows. */

@@ -20,7 +20,8 @@ static rot_status end_here(rot_ode_stepping *run, rot_status why) {
   return why;
 }
 
-enum { PROGRESS_STEPS = 10000, PROGRESS_FACTOR = 1000 };
+/* By how much the progress may grow; of steady steps 10 for what the start excites. */
+enum { PROGRESS_STEPS = 10000, PROGRESS_FACTOR = 1000, STEADY_FACTOR = 10 };
 
 /* 1 if the rest of the budget ends far before the run does: see rot_ode_params.fades_s. */
 static int is_out_of_reach(rot_ode_stepping *run, size_t tried) {
@@ -34,7 +35,7 @@ static int is_out_of_reach(rot_ode_stepping *run, size_t tried) {
   const double periods = (double)(run->budget - tried) / PROGRESS_STEPS;
   const double to_end = fabs(run->clock.end - t);
   const double left = settled ? to_end : fmin(run->p->fades_s, to_end);
-  return left / PROGRESS_FACTOR > periods * fabs(t - was.t);
+  return left / (run->p->steady ? STEADY_FACTOR : PROGRESS_FACTOR) > periods * fabs(t - was.t);
 }
 
 /* Before a step: the budget, and every so many steps the caller. */

@@ -93,6 +93,9 @@ typedef struct rot_ode_params {
    * known. If the budget reaches neither this time nor the end at 1000 times the progress of 10000
    * steps, the run fails after these. */
   double fades_s;
+  /* 1: linear vibrations that nothing damps hold the steps short: the progress counts 10 times, not
+   * 1000 times. */
+  int steady;
   /* After it losses have acted: what is slow then stays slow, and the end of the run counts instead
    * of fades_s. 0: not known. */
   double settles_s;

@@ -501,8 +501,18 @@ static int never_rests(const rot_drive_scene *scene) {
   return driven;
 }
 
-/* => rot_ode_params.fades_s: without friction that may hold, with linear losses */
-static double fades_s_of(const motion *m, double shortest_s) {
+/* Without losses vibrations last, and with them the short steps. */
+static int is_damped(const rot_drive_scene *scene) {
+  int damped = 0;
+  for (size_t i = 0; i < scene->n; i++) {
+    damped |= scene->rotor[i].linear.viscous_n_m_s != 0.0 || scene->rotor[i].motor_n_m_s != 0.0;
+    damped |= i + 1 < scene->n && scene->coupling[i].damping_n_m_s != 0.0;
+  }
+  return damped;
+}
+
+/* => rot_ode_params.fades_s and steady: without friction that may hold, with linear losses */
+static double fades_s_of(const motion *m, double shortest_s, int *steady) {
   const rot_drive_scene *scene = m->s.scene;
   int unknown = m->s.n_contacts || m->s.n_slips || has_kinks(scene) || calls_law(scene);
   for (size_t i = 0; i < scene->n; i++) {
@@ -510,7 +520,8 @@ static double fades_s_of(const motion *m, double shortest_s) {
     unknown |= rotor->quadratic_n_m_s2 != 0.0 || rotor->coulomb_n_m != 0.0 ||
                rotor->static_n_m != 0.0 || scene->brake[i].acts;
   }
-  if (never_rests(scene)) return INFINITY;
+  *steady = !unknown && !is_damped(scene);
+  if (never_rests(scene) || *steady) return INFINITY;
   return unknown ? 0.0 : shortest_s;
 }
 
@@ -532,6 +543,8 @@ static rot_status run(motion *m, const rot_drive_ode_options *options, size_t n,
   if (status == ROT_OK) {
     rot_time_scales time_scales;
     rot_drive_time_scales_of_start(s->scene, &time_scales);
+    int steady;
+    const double fades_s = fades_s_of(m, time_scales.fades_s, &steady);
     note_noise(m);
     note_state(s->scene->start_s, m->y, m);
     const rot_ode_params ode = {
@@ -560,7 +573,8 @@ static rot_status run(motion *m, const rot_drive_ode_options *options, size_t n,
         .integrals_between = 1,
         .resolution = rot_ode_resolution(calls_law(s->scene), options->resolution),
         .kinks = has_kinks(s->scene),
-        .fades_s = fades_s_of(m, time_scales.fades_s),
+        .fades_s = fades_s,
+        .steady = steady,
         .settles_s = calls_law(s->scene) ? 0.0 : ROT_SETTLED * time_scales.fades_s,
         .step_s = rot_ode_is_fixed(options->method) ? options->step_s : 0.0,
         .positions = new_positions};

@@ -91,8 +91,8 @@ static rot_status write_row(const modal_run *run, size_t row, double t) {
   return ROT_OK;
 }
 
-/* How much t_(i+k) is later than t_i + k h, without rounding: the last digit of a time is 1e-7 rad at
- * 1e8 rad/s. */
+/* How much t_(i+k) is later than t_i + k h, without rounding: the last digit of a time is 1e-7 rad
+ * at 1e8 rad/s. */
 static double late_by(const double time_s[], size_t i, size_t k, double h) {
   const rot_dd between = rot_dd_sum2(time_s[i + k], -time_s[i]);
   return rot_dd_sub(between, rot_dd_mul2((double)k, h)).hi;
