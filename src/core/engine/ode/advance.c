@@ -91,16 +91,18 @@ static void swap(double **a, double **b) {
   *b = was;
 }
 
-/* Each component by one of its group, up or down. */
+/* Each component by one, up or down. */
 static void move_by_roundings(rot_ode_stepping *run) {
   const rot_ode_params *p = run->p;
   for (size_t m = 0; m < rot_ode_steering(p); m++) {
     const rot_ode_group g = rot_ode_group_of(p, m);
-    const double size = ROT_EPS * rot_ode_size(g, run->state.y);
+    const double size[] = {ROT_EPS * rot_ode_rounds(g, run->state.y, g.first),
+                           ROT_EPS * rot_ode_rounds(g, run->state.y, g.first + 1)};
     for (size_t i = g.first; i < g.first + g.count; i++) {
+      const double by = size[i > g.first];
       /* Multiplier: L'Ecuyer, Mathematics of Computation 68 (1999) 249, table 4. */
       run->rounding = run->rounding * UINT64_C(2862933555777941757) + 1;
-      run->state.y[i] += run->rounding >> 63 ? size : -size;
+      run->state.y[i] += run->rounding >> 63 ? by : -by;
     }
   }
 }

@@ -35,6 +35,13 @@ static inline double rot_ode_size(rot_ode_group g, const double y[]) {
   return g.norm == ROT_ODE_QUATERNION ? 1.0 : rot_ode_length(y + g.first, g.count);
 }
 
+/* Of what rounds component i. A rotation near 1 has a vector part as small as its angle, rounded by
+ * that: a body that swings by 1e-12 rad has 4 digits of its attitude, but all of its rotation. */
+static inline double rot_ode_rounds(rot_ode_group g, const double y[], size_t i) {
+  if (g.norm != ROT_ODE_QUATERNION) return rot_ode_size(g, y);
+  return i == g.first ? 1.0 : rot_ode_length(y + g.first + 1, g.count - 1);
+}
+
 /* Of a slope, or of a small change. */
 static inline double rot_ode_rate(rot_ode_group g, const double f[]) {
   return (g.norm == ROT_ODE_QUATERNION ? 2.0 : 1.0) * rot_ode_length(f + g.first, g.count);

@@ -217,12 +217,14 @@ rot_status rot_ode_propagation_step(rot_ode_propagation *g, rot_ode_law *law,
   rot_expm_multiply(n, left, turned, g->spread, NULL);
   for (size_t m = 0; m < rot_ode_steering(p); m++) {
     const rot_ode_group group = rot_ode_group_of(p, m);
+    const int turns = group.norm == ROT_ODE_QUATERNION;
     double size = 0.0;
-    for (size_t i = group.first; i < group.first + group.count; i++) {
+    for (size_t i = group.first + (size_t)turns; i < group.first + group.count; i++) {
       size = fmax(size, fmax(fabs(state->y[i]), fabs(before[i])));
     }
-    for (size_t i = group.first; i < group.first + group.count; i++) {
-      g->spread[i * n + i] += (double)parts * (ROT_EPS * size) * (ROT_EPS * size);
+    for (size_t i = group.first; i < group.first + group.count; i++) { /* rot_ode_rounds() */
+      const double by = ROT_EPS * (turns && i == group.first ? 1.0 : size);
+      g->spread[i * n + i] += (double)parts * by * by;
     }
   }
   if (step->rows || !p->fine_propagation) note_worst(g, p);

@@ -48,7 +48,8 @@ typedef struct rot_free_params {
   /* Body with a fixed point (moments about this point): weight times centre of mass from there, in
    * principal axes. Torque of gravity: z x lever, z upward. Free body: 0. */
   double lever_n_m[3];
-  double lever_low_n_m[3]; /* rounding error of that product */
+  double lever_low_n_m[3];    /* rounding error of that product */
+  double own_lever_n_m[2][3]; /* turned: that product in own axes, and its rounding error */
   /* The torque is a sum of three. */
   int in_space;                 /* its axes: 1: space, 0: own axes */
   double torque[3];             /* constant, N m */

@@ -17,11 +17,13 @@ enum { MOMENTUM = 4, ROTORS = 7, MAX = ROTORS + ROT_FREE_MAX_ROTORS + ROT_FREE_F
 typedef struct motion {
   const rot_free_params *p;
   rot_free_rotors rotors;
-  size_t state;     /* number of components of the state */
-  size_t flows;     /* number of flows */
-  size_t dim;       /* state + flows */
-  size_t groups;    /* number of groups of the state */
-  double q0[4];     /* attitude of the principal axes at the start */
+  size_t state;  /* number of components of the state */
+  size_t flows;  /* number of flows */
+  size_t dim;    /* state + flows */
+  size_t groups; /* number of groups of the state */
+  double q0[4];  /* attitude of the principal axes at the start */
+  int weight;    /* 1: gravity acts */
+  rot_free_hung hung;
   double omega0[3]; /* principal axes */
   int middle;       /* axis of the middle moment */
   int hangs;        /* see hangs() */
@@ -62,8 +64,9 @@ static rot_status rhs(double t, const double y[], double f[], void *ctx) {
   }
   attitude_of(m, y, q);
   omega_of(m, y, w);
-  const rot_status status = rot_free_torque(m->p, t, w, q, 1, torque);
+  const rot_status status = rot_free_torque(m->p, t, w, q, torque);
   if (status != ROT_OK) return status;
+  if (m->weight) rot_free_add_hung(m->p, &m->hung, y, torque);
   f[0] = 0.5 * (-y[1] * w[0] - y[2] * w[1] - y[3] * w[2]);
   f[1] = 0.5 * (y[0] * w[0] + y[2] * w[2] - y[3] * w[1]);
   f[2] = 0.5 * (y[0] * w[1] + y[3] * w[0] - y[1] * w[2]);
@@ -105,18 +108,14 @@ static int middle_of(const double m[3]) {
   return -1;
 }
 
-/* Rate of the height of the centre of mass, times the weight: rate of the potential energy. */
+/* Rate of the potential energy: the power of gravity, reversed. */
 static double rise(double t, const double y[], void *ctx) {
-  static const double up[3] = {0.0, 0.0, 1.0};
   const motion *m = ctx;
-  const double *g = m->p->lever_n_m;
-  double q[4], w[3], z[3];
+  double w[3], torque[3] = {0.0, 0.0, 0.0};
   (void)t;
-  attitude_of(m, y, q);
   omega_of(m, y, w);
-  rot_attitude_to_body(q, up, z);
-  return z[0] * (w[1] * g[2] - w[2] * g[1]) + z[1] * (w[2] * g[0] - w[0] * g[2]) +
-         z[2] * (w[0] * g[1] - w[1] * g[0]);
+  rot_free_add_hung(m->p, &m->hung, y, torque);
+  return -rot_dot(w, torque);
 }
 
 /* Logs a highest or lowest point of the centre of mass, by its rate a little later. */
@@ -134,7 +133,7 @@ static void note_turn(double t, const double y[], motion *m, rot_events *events)
 static rot_ode_then at_zero(double t, double y[], int *mode, int forward, void *ctx) {
   motion *m = ctx;
   (void)mode, (void)forward;
-  if (rot_free_has_weight(m->p)) {
+  if (m->weight) {
     note_turn(t, y, m, &m->seen);
   } else {
     double w[3];
@@ -248,10 +247,9 @@ static rot_status run_at(motion *m, const rot_free_ode_options *options, double 
       n ? fmax(fabs(time_s[0] - p->start_s), fabs(time_s[n - 1] - p->start_s)) : 0.0;
   const double off = 2.0 * p->law_noise_n_m;
   const double noise[] = {off / m->rotors.min * late, off, off};
-  const int weight = rot_free_has_weight(p);
-  const rot_ode_event zero = {.g = weight ? rise : NULL,
+  const rot_ode_event zero = {.g = m->weight ? rise : NULL,
                               .component = (size_t)(MOMENTUM + (m->middle < 0 ? 0 : m->middle)),
-                              .name = weight ? ROT_EVENT_HIGHEST : ROT_EVENT_FLIP,
+                              .name = m->weight ? ROT_EVENT_HIGHEST : ROT_EVENT_FLIP,
                               .then = at_zero};
   const rot_ode_params ode = {
       .dim = m->dim,
@@ -269,7 +267,7 @@ static rot_status run_at(motion *m, const rot_free_ode_options *options, double 
       .accuracy = 0.5 * accuracy,
       .max_steps = options->max_steps,
       .method = options->method,
-      .n_events = weight || (m->middle >= 0 && !m->rotors.n),
+      .n_events = m->weight || (m->middle >= 0 && !m->rotors.n),
       .events = &zero,
       .log = &out->events,
       .project = renormalise,
@@ -397,15 +395,12 @@ static int stays(motion *m) {
 static int hangs(const motion *m) {
   const rot_free_params *p = m->p;
   const double *g = p->lever_n_m;
-  const double none[3] = {0.0, 0.0, 0.0}, up[3] = {0.0, 0.0, 1.0};
-  double torque[3], z[3];
   if (p->law || p->n_knots || m->rotors.n) return 0;
   for (int k = 0; k < 3; k++) {
     if (m->omega0[k] != 0.0 || p->torque[k] != 0.0) return 0;
   }
-  if (rot_free_torque(p, p->start_s, none, m->q0, 1, torque) != ROT_OK) return 0;
-  rot_attitude_to_body(m->q0, up, z);
-  return rot_dot(g, z) < 0.0 && rot_length(torque) <= 4.0 * ROT_EPS * rot_length(g);
+  return rot_dot(g, m->hung.up) < 0.0 &&
+         rot_length(m->hung.torque) <= 4.0 * ROT_EPS * rot_length(g);
 }
 
 /* Events of a run. A body released at a turning point has an event at the start, as in closed
@@ -415,7 +410,7 @@ static rot_status give_events(motion *m, const rot_events *log, rot_events *even
   rot_events start = {0};
   rot_status status = ROT_OK;
   start_state(m, y);
-  if (rot_free_has_weight(m->p) && rise(m->p->start_s, y, m) == 0.0) {
+  if (m->weight && rise(m->p->start_s, y, m) == 0.0) {
     note_turn(m->p->start_s, y, m, &start);
   }
   size_t i = 0;
@@ -450,6 +445,8 @@ rot_status rot_free_integrate(const rot_free_params *p, const rot_free_ode_optio
   run result = {.y = y}, finer = {.y = y + room};
   if (!y) return info->status = ROT_ENOMEM;
   rot_free_principal(p, m.omega0, m.q0);
+  m.weight = rot_free_has_weight(p);
+  rot_free_hang(p, &m.hung);
   m.hangs = hangs(&m);
   rot_status status = run_twice(&m, options, n, time_s, hooks, &result, &finer);
   *info = result.info;

@@ -45,7 +45,7 @@ static rot_status torques(stepper *s, double t, const double omega[3], const dou
                           double all[3], double own[3]) {
   const double at = fmin(fmax(t, s->earliest), s->latest);
   s->calls++;
-  const rot_status status = rot_free_torque(s->p, at, omega, q, 0, own);
+  const rot_status status = rot_free_torque(s->p, at, omega, q, own);
   for (int k = 0; k < 3; k++) all[k] = own[k];
   if (status == ROT_OK && rot_free_has_weight(s->p)) rot_free_add_weight(s->p, q, all);
   return status;

@@ -1,6 +1,10 @@
 #include "scene/free/torque.h"
 
+#include <math.h>
+
 #include "maths/attitude.h"
+#include "ground/dd.h"
+#include "ground/real.h"
 #include "ground/search.h"
 
 int rot_free_between_knots(size_t n, const double x[], double t, size_t *i, double *part) {
@@ -36,9 +40,54 @@ void rot_free_add_weight(const rot_free_params *p, const double q[4], double tor
   torque[2] += z[0] * g[1] - z[1] * g[0];
 }
 
-/* Sum of constant, table, law and gravity. */
+/* z of a unit quaternion's body axes, |q|^2 divided out. */
+static void up_of(const double q[4], rot_dd up[3]) {
+  const rot_dd ww = rot_dd_mul2(q[0], q[0]), xx = rot_dd_mul2(q[1], q[1]);
+  const rot_dd yy = rot_dd_mul2(q[2], q[2]), zz = rot_dd_mul2(q[3], q[3]);
+  const rot_dd across = rot_dd_add(xx, yy), along = rot_dd_add(ww, zz);
+  const rot_dd size = rot_dd_add(along, across);
+  up[0] = rot_dd_sub(rot_dd_mul2(q[1], q[3]), rot_dd_mul2(q[0], q[2]));
+  up[1] = rot_dd_add(rot_dd_mul2(q[2], q[3]), rot_dd_mul2(q[0], q[1]));
+  up[2] = rot_dd_sub(along, across);
+  for (int k = 0; k < 3; k++) up[k] = rot_dd_div(rot_dd_ldexp(up[k], k < 2), size);
+}
+
+void rot_free_hang(const rot_free_params *p, rot_free_hung *out) {
+  const double *high = p->turned ? p->own_lever_n_m[0] : p->lever_n_m;
+  const double *low = p->turned ? p->own_lever_n_m[1] : p->lever_low_n_m;
+  rot_dd up[3], lever[3];
+  int exponent;
+  (void)frexp(fmax(fabs(high[0]), fmax(fabs(high[1]), fabs(high[2]))), &exponent);
+  up_of(p->q0, up);
+  for (int k = 0; k < 3; k++) {
+    lever[k] = rot_dd_sum2(ldexp(high[k], -exponent), ldexp(low[k], -exponent));
+    out->up[k] = up[k].hi;
+  }
+  for (int k = 0; k < 3; k++) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    const rot_dd torque = rot_dd_sub(rot_dd_mul(up[i], lever[j]), rot_dd_mul(up[j], lever[i]));
+    out->torque[k] = ldexp(torque.hi, exponent);
+  }
+  if (p->turned) {
+    const rot_free_hung own = *out;
+    rot_attitude_to_body(p->axes, own.up, out->up);
+    rot_attitude_to_body(p->axes, own.torque, out->torque);
+  }
+}
+
+void rot_free_add_hung(const rot_free_params *p, const rot_free_hung *hung, const double q[4],
+                       double torque[3]) {
+  double side[3], change[3], more[3];
+  rot_cross(q + 1, hung->up, side);
+  rot_cross(q + 1, side, change);
+  for (int k = 0; k < 3; k++) change[k] = 2.0 * (change[k] - q[0] * side[k]);
+  rot_cross(change, p->lever_n_m, more);
+  for (int k = 0; k < 3; k++) torque[k] += hung->torque[k] + more[k];
+}
+
+/* Sum of constant, table and law. */
 rot_status rot_free_torque(const rot_free_params *p, double t, const double omega[3],
-                           const double q[4], int weight, double out[3]) {
+                           const double q[4], double out[3]) {
   double torque[3] = {p->torque[0], p->torque[1], p->torque[2]};
   add_knots(p, t, torque);
   if (p->law) {
@@ -60,6 +109,5 @@ rot_status rot_free_torque(const rot_free_params *p, double t, const double omeg
   } else {
     for (int k = 0; k < 3; k++) out[k] = torque[k];
   }
-  if (weight && rot_free_has_weight(p)) rot_free_add_weight(p, q, out);
   return ROT_OK;
 }

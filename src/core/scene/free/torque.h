@@ -14,9 +14,20 @@ int rot_free_has_weight(const rot_free_params *p);
 /* attitude => torque[] += torque of gravity, in principal axes. */
 void rot_free_add_weight(const rot_free_params *p, const double q[4], double torque[3]);
 
-/* (t, omega, attitude of the principal axes) => torque in principal axes. weight: 1: with gravity,
- * 0: without. */
+/* (t, omega, attitude of the principal axes) => torque in principal axes, without gravity's. */
 rot_status rot_free_torque(const rot_free_params *p, double t, const double omega[3],
-                           const double q[4], int weight, double out[3]);
+                           const double q[4], double out[3]);
+
+/* Gravity at the start, in principal axes: up, and the torque, which near an equilibrium is what
+ * two products leave: of the given numbers in twice the precision. */
+typedef struct rot_free_hung {
+  double up[3], torque[3];
+} rot_free_hung;
+
+void rot_free_hang(const rot_free_params *p, rot_free_hung *out);
+/* (rotation q since the start) => torque[] += torque of gravity: that at the start and its change,
+ * which keep the digits of a motion of 1e-12 rad. */
+void rot_free_add_hung(const rot_free_params *p, const rot_free_hung *hung, const double q[4],
+                       double torque[3]);
 
 #endif

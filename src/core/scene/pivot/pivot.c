@@ -87,11 +87,17 @@ void rot_pivot_sharpen(rot_free_params *p, double mass_kg, double gravity_m_per_
   const rot_dd weight = rot_dd_mul2(mass, gravity);
   for (int k = 0; k < 3; k++) {
     int e;
-    const double centre = frexp(centre_m[k], &e), lever = p->lever_n_m[k];
-    const double scaled = ldexp(lever, -(e_mass + e_gravity + e));
-    const double low = rot_dd_add1(rot_dd_mul1(weight, centre), -scaled).hi;
-    const int rounded = !p->turned && fabs(low) <= 4.0 * ROT_EPS * fabs(scaled);
-    p->lever_low_n_m[k] = rounded ? ldexp(low, e_mass + e_gravity + e) : 0.0;
+    const double centre = frexp(centre_m[k], &e);
+    const rot_dd product = rot_dd_mul1(weight, centre);
+    e += e_mass + e_gravity;
+    if (p->turned) {
+      p->own_lever_n_m[0][k] = ldexp(product.hi, e);
+      p->own_lever_n_m[1][k] = ldexp(product.lo, e);
+      continue;
+    }
+    const double scaled = ldexp(p->lever_n_m[k], -e), low = rot_dd_add1(product, -scaled).hi;
+    const int rounded = fabs(low) <= 4.0 * ROT_EPS * fabs(scaled);
+    p->lever_low_n_m[k] = rounded ? ldexp(low, e) : 0.0;
   }
 }
 
