@@ -132,3 +132,21 @@ test_that("the torques of a row that breaks loose are those that accelerate it",
     expect_equal(abs(rows$damping_torque_n_m[1]), 0.2, tolerance = 1e-12)
   }
 })
+
+test_that("slow motions where terms cancel: solved, with the rounding of the terms in the figure", {
+  # Taylor series of 40 digits (mpmath 1.3.0): 9.80665 sin(0.5) N m, rounded, against gravity.
+  last <- c("1e-6" = -4.8721552238711864e-7, "1e-9" = -4.8721544059130996e-10)
+  for (start in names(last)) {
+    scene <- scene_axle(
+      1, torque_gravity(2, 0.5) + 4.7015584581529071, theta0_rad = 0.5,
+      omega0_rad_per_s = as.numeric(start)
+    )
+    expect_warning(motion <- trajectory(scene, c(0, 5, 10)), class = "rotdyn_warning_accuracy")
+    off <- abs(motion$omega_rad_per_s[3] - last[[start]])
+    figure <- glance(motion)$error * as.numeric(start)
+    expect_lt(off, figure)
+    # The terms are rounded by 4e-16 N m each.
+    expect_lt(figure, 1e-14)
+    expect_lt(trajectory_run(motion)$info$rhs_calls, 1e5)
+  }
+})

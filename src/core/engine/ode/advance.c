@@ -91,15 +91,16 @@ static void swap(double **a, double **b) {
   *b = was;
 }
 
-/* Each component by one, up or down. */
-static void move_by_roundings(rot_ode_stepping *run) {
+/* Each component by one, and by that of its slope over the step h, up or down. */
+static void move_by_roundings(rot_ode_stepping *run, double h) {
   const rot_ode_params *p = run->p;
   for (size_t m = 0; m < rot_ode_steering(p); m++) {
     const rot_ode_group g = rot_ode_group_of(p, m);
     const double size[] = {ROT_EPS * rot_ode_rounds(g, run->state.y, g.first),
                            ROT_EPS * rot_ode_rounds(g, run->state.y, g.first + 1)};
+    const double slope = p->rounds ? p->rounds[m] * fabs(h) : 0.0;
     for (size_t i = g.first; i < g.first + g.count; i++) {
-      const double by = size[i > g.first];
+      const double by = size[i > g.first] + slope;
       /* Multiplier: L'Ecuyer, Mathematics of Computation 68 (1999) 249, table 4. */
       run->rounding = run->rounding * UINT64_C(2862933555777941757) + 1;
       run->state.y[i] += run->rounding >> 63 ? by : -by;
@@ -114,7 +115,7 @@ static rot_status accept(rot_ode_stepping *run, double t, double error) {
   if (run->rows.probes) cover_calls(run->rows.probes, &run->step.calls, run->p->controlled);
   swap(&state->y, &run->step.trial);
   swap(&state->slope, &run->step.trial_slope);
-  if (run->rounding && run->law.slides == NO_SURFACE) move_by_roundings(run);
+  if (run->rounding && run->law.slides == NO_SURFACE) move_by_roundings(run, t - run->clock.t);
   run->clock.t = t;
   state->slope_known = 1;
   rot_status status = project(run);

@@ -82,6 +82,9 @@ typedef struct rot_ode_params {
   /* What rhs itself leaves uncertain of the slopes of each group, or NULL: a step may be off by so
    * much a second besides, or a motion that begins in rhs's rounding would never be resolved. */
   const double *noise;
+  /* What rounding leaves uncertain of the slopes of each group besides, or NULL: a figure has it.
+   * Terms that cancel at the start round in all runs alike, so their distance does not show it. */
+  const double *rounds;
   int kinks; /* rhs may have kinks in y that no break and no switch marks */
   /* Changes of rhs in an interval of time or of a controlled component at least this wide, in parts
    * of the range visited, are found (engine/ode/probe.h); 0: rhs is not looked at. */

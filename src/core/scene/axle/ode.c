@@ -226,6 +226,18 @@ static double fades_s_of(const motion *m, const rot_axle_scene *scene) {
   return m->reference / (fabs(scene->viscous_n_m_s) + fabs(scene->motor_n_m_s));
 }
 
+/* The terms of the torque at the start, in size: their sum is rounded by that. About an angle at
+ * which they cancel, motions of 1e-9 rad/s took the whole budget to resolve it. */
+static double terms_of(const rot_axle_scene *scene) {
+  const rot_axle_params *linear = &scene->linear;
+  const double t = linear->start_s, theta = linear->theta0_rad, omega = linear->omega0_rad_per_s;
+  double size = fabs(rot_torque_at(&linear->torque, t)) + fabs(scene->motor_n_m_s * omega);
+  for (size_t i = 0; i < scene->n_terms; i++) {
+    size += fabs(rot_term_at(&scene->terms[i], t, theta, 0.0, omega));
+  }
+  return size;
+}
+
 /* Builds the problem of rot_ode_run(); rows, sizes, flows. */
 rot_status rot_axle_integrate(const rot_axle_scene *scene, const rot_axle_ode_options *options,
                               size_t n, const double time_s[], const rot_axle_columns *out,
@@ -247,7 +259,9 @@ rot_status rot_axle_integrate(const rot_axle_scene *scene, const rot_axle_ode_op
     const double span = n ? fmax(fabs(time_s[0] - scene->linear.start_s),
                                  fabs(time_s[n - 1] - scene->linear.start_s))
                           : 0.0;
-    const double noise[] = {scene->noise_n_m / m.reference * span, scene->noise_n_m / m.reference};
+    const double rounds[] = {0.0, ROT_EPS * terms_of(scene) / m.reference};
+    const double off = scene->noise_n_m / m.reference + 4.0 * rounds[1];
+    const double noise[] = {off * span, off};
     const rot_ode_params ode = {.dim = DIM,
                                 .controlled = 2,
                                 .rhs = axle_rhs,
@@ -267,6 +281,7 @@ rot_status rot_axle_integrate(const rot_axle_scene *scene, const rot_axle_ode_op
                                 .at_break = m.inertia.n ? cross_inertia : NULL,
                                 .sloped = IMPULSE,
                                 .noise = noise,
+                                .rounds = rounds,
                                 .kinks = has_kinks(scene),
                                 .resolution = rot_ode_resolution(called, options->resolution),
                                 .fades_s = fades_s_of(&m, scene),
