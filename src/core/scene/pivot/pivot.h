@@ -18,8 +18,8 @@ int rot_pivot_axis(const rot_free_params *p);
  * to the principal axes: v_principal = turn v_top turn*. */
 extern const double rot_pivot_turns[3][4];
 
-/* Sets lever_low_n_m: mass gravity centre minus lever_n_m, its rounding error; 0 if the lever is not
- * that product. Where the body axes are not the principal ones: own_lever_n_m. */
+/* Sets lever_low_n_m: mass gravity centre minus lever_n_m, its rounding error; 0 if the lever is
+ * not that product. Where the body axes are not the principal ones: own_lever_n_m. */
 void rot_pivot_sharpen(rot_free_params *p, double mass_kg, double gravity_m_per_s2,
                        const double centre_m[3]);
 
