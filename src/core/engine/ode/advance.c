@@ -91,14 +91,20 @@ static void swap(double **a, double **b) {
   *b = was;
 }
 
+/* Over an implicit step, much longer than stiff motions, these fade. */
+static const double *rounds_of(const rot_ode_stepping *run) {
+  return run->step.method == ROT_METHOD_RADAU ? NULL : run->p->rounds;
+}
+
 /* Each component by one, and by that of its slope over the step h, up or down. */
 static void move_by_roundings(rot_ode_stepping *run, double h) {
   const rot_ode_params *p = run->p;
+  const double *rounds = rounds_of(run);
   for (size_t m = 0; m < rot_ode_steering(p); m++) {
     const rot_ode_group g = rot_ode_group_of(p, m);
     const double size[] = {ROT_EPS * rot_ode_rounds(g, run->state.y, g.first),
                            ROT_EPS * rot_ode_rounds(g, run->state.y, g.first + 1)};
-    const double slope = p->rounds ? p->rounds[m] * fabs(h) : 0.0;
+    const double slope = rounds ? rounds[m] * fabs(h) : 0.0;
     for (size_t i = g.first; i < g.first + g.count; i++) {
       const double by = size[i > g.first] + slope;
       /* Multiplier: L'Ecuyer, Mathematics of Computation 68 (1999) 249, table 4. */
@@ -361,8 +367,12 @@ rot_status rot_ode_advance(rot_ode_stepping *run, double stop, double fraction,
       *what == ROT_ODE_SAME_SIDE || rot_ode_is_before(&run->clock, plan.target, t + h);
   status = accept(run, whole ? plan.target : t + h, error);
   if (status == ROT_OK && run->propagation) {
-    const rot_ode_propagation_of of = {run->clock.t - t, step->trial, step->trial_slope, PARTS,
-                                       rot_ode_rows_within(&run->rows.out, t, run->clock.t)};
+    const rot_ode_propagation_of of = {run->clock.t - t,
+                                       step->trial,
+                                       step->trial_slope,
+                                       PARTS,
+                                       rot_ode_rows_within(&run->rows.out, t, run->clock.t),
+                                       rounds_of(run)};
     status = rot_ode_propagation_step(run->propagation, &run->law, state, run->trajectory, &of);
   }
   return status == ROT_OK && run->clock.t == run->kinks.before ? rot_ode_pass_kink(&run->kinks)

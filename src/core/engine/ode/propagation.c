@@ -224,7 +224,7 @@ rot_status rot_ode_propagation_step(rot_ode_propagation *g, rot_ode_law *law,
     }
     for (size_t i = group.first; i < group.first + group.count; i++) { /* rot_ode_rounds() */
       const double by = ROT_EPS * (turns && i == group.first ? 1.0 : size);
-      const double slope = p->rounds ? p->rounds[m] * h / (double)parts : 0.0;
+      const double slope = step->rounds ? step->rounds[m] * h / (double)parts : 0.0;
       g->spread[i * n + i] += (double)parts * (by * by + slope * slope);
     }
   }

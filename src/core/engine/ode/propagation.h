@@ -34,8 +34,9 @@ void rot_ode_propagation_hold(rot_ode_propagation *g, size_t component);
 typedef struct rot_ode_propagation_of {
   double h;
   const double *before, *slope;
-  size_t parts; /* steps of the result in it */
-  int rows;     /* some rows lie within it */
+  size_t parts;         /* steps of the result in it */
+  int rows;             /* some rows lie within it */
+  const double *rounds; /* of the slopes of each group, or NULL */
 } rot_ode_propagation_of;
 /* The kept nodes, or NULL, take the derivatives. */
 rot_status rot_ode_propagation_step(rot_ode_propagation *g, rot_ode_law *law,
