@@ -11,6 +11,8 @@ test_that("differences are drawn over what is allowed", {
   )
   plot <- ggplot2::autoplot(rerun(where, "differs"))
   expect_equal(plot$data$ratio, c(2, 0.5, 0)) # beyond 2 at the edge
+  expect_identical(rev(levels(plot$data$quantity)), as.character(plot$data$quantity))
+  expect_identical(as.character(plot$data$quantity[3]), column_label("time_s"))
   expect_equal(plot$data$fits, c(FALSE, TRUE, TRUE))
   expect_match(plot$labels$alt, "differs; the most: theta_rad in row 3, off by 3e-09, 1e-09 all")
   expect_match(plot$labels$alt, "2 of 3 quantities")
