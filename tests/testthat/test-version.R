@@ -23,7 +23,10 @@ test_that("scenes of 0.5.0 are read, and move as they did", {
         # Integrators have changed since: within the errors of both.
         expect_equal(now, was, tolerance = 1e-8, info = info)
       } else {
-        expect_equal(now, was, tolerance = 4e-15, info = info)
+        # Modes of rotors were rounded more: of the shaft's torque at 1.1 s, 4.28321494527952720 N m
+        # (mpmath 1.3.0), 0.5.0 had 4.28321494527948055.
+        rounded <- if (rows$model[1] == "rotors_modal") 2e-14 else 4e-15
+        expect_equal(now, was, tolerance = rounded, info = info)
       }
     }
     # Written anew, it comes back.
