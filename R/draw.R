@@ -210,7 +210,7 @@ turn_arrow <- function(x, y, radius, from, by, sign, style) {
 # A wheel that has turned by `angle`: a rim with spokes and a dot beside the first of them, so that
 # turns show. `hollow`: the radius of its hole in parts of its own.
 wheel_marks <- function(x, y, radius, angle, hollow = 0, spokes = 5L) {
-  from <- radius * max(0.12, 0)
+  from <- 0.12 * radius
   to <- radius * if (hollow > 0) hollow else 0.86
   rays <- lapply(angle + 2 * pi * (seq_len(spokes) - 1) / spokes, function(one) {
     direction <- c(cos(one), sin(one))

@@ -32,3 +32,14 @@ test_that("bodies of a race are on their lanes, and turn as they roll", {
     expect_lt(diff(box[3:4]) / diff(box[1:2]), 1.2)
   }
 })
+
+test_that("the dot of a wheel turns with it, half a gap behind its first spoke", {
+  for (angle in c(0, 0.7)) {
+    marks <- wheel_marks(2, -1, 3, angle, spokes = 4L)
+    dots <- Filter(function(one) one$style == "#0072B2", marks)
+    expect_length(dots, 1L)
+    centre <- colMeans(dots[[1]]$points[-1, ]) - c(2, -1)
+    expect_equal(atan2(centre[2], centre[1]), angle + pi / 8, tolerance = 1e-10)
+    expect_equal(sqrt(sum(centre^2)), 3 * (0.93 * 0.86 - 0.16), tolerance = 1e-10)
+  }
+})
