@@ -58,9 +58,9 @@ records_format <- 1L
 #' * `records_check()`: a tibble: check, holds, detail.
 #' @section Errors: `rotdyn_error_database` (a driver that is not known, no tables of records, a
 #'   newer format, what the database says), `rotdyn_error_time` (rows out of order),
-#'   `rotdyn_error_record` (no such run, a model that exists no more), `rotdyn_error_scene`, `rotdyn_error_type`, `rotdyn_error_package`: \pkg{DBI} is
-#'   needed, \pkg{RSQLite} for files, \pkg{yyjsonr} to read scenes. RPostgreSQL is refused: it
-#'   rounds numbers to 15 digits.
+#'   `rotdyn_error_record` (no such run, a model that exists no more), `rotdyn_error_scene`,
+#'   `rotdyn_error_type`, `rotdyn_error_package`: \pkg{DBI} is needed, \pkg{RSQLite} for files,
+#'   \pkg{yyjsonr} to read scenes. RPostgreSQL is refused: it rounds numbers to 15 digits.
 #' @source <https://www.sqlite.org/stricttables.html>, <https://www.sqlite.org/foreignkeys.html>.
 #' @seealso [write_scene()], [metadata()], [trajectory()].
 #' @concept lab book

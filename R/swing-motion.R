@@ -187,14 +187,14 @@ finish_fit <- function(time, y, kind, restoring, p, active, best, model) {
   }
   found <- settle(at, y, p, active, noise, model, block)
   if (is.null(found)) return(NULL)
-  white <- solve_linear(at, found$j, found$e, c(tau_s = 0, white = 1))
-  if (is.null(white)) return(NULL)
   active <- found$active
   law <- law_test(at, found, extra, noise, exact, best$period)
   dof <- min(swing_dof(at, noise, length(active), best$period), law$dof)
   # Loss of at least 0: the motion that is shown.
   shown <- physical_motion(at, y, found, noise, model, block)
   joint <- numbers_at(shown$p, at, y, found, noise, model, block)
+  white <- solve_linear(at, joint$j, joint$e, c(tau_s = 0, white = 1))
+  if (is.null(white)) return(NULL)
   names <- swing_parameters[active]
   dimnames(joint$covariance) <- list(names, names)
   joint$covariance <- joint$covariance * law$inflation
@@ -362,9 +362,10 @@ numbers_at <- function(p, at, y, found, noise, model, block) {
   now <- model(p)
   if (is.null(now)) return(found)
   j <- block_means(now$derivative[, found$active, drop = FALSE], block)
-  solved <- solve_linear(at, j, block_means(y - now$value, block)[, 1], noise)
+  e <- block_means(y - now$value, block)[, 1]
+  solved <- solve_linear(at, j, e, noise)
   if (is.null(solved)) return(found)
   losses <- found$active %in% 4:6
   p[found$active[losses]] <- p[found$active[losses]] + solved$step[losses]
-  list(p = p, covariance = solved$covariance)
+  list(p = p, covariance = solved$covariance, j = j, e = e)
 }

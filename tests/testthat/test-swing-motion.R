@@ -81,7 +81,8 @@ test_that("losses that a few swings do not separate leave the period that of one
     c(
       vapply(fits, function(fit) fit$omega0_rad_per_s$value, 0) - 2,
       vapply(fits, function(fit) fit$omega0_rad_per_s$u, 0),
-      fits[[1]]$omega_rad_per_s$value - sqrt(4 - 1e-4)
+      fits[[1]]$omega_rad_per_s$value - sqrt(4 - 1e-4),
+      log(fits[[1]]$omega0_rad_per_s$u / fits[[1]]$white_u)
     )
   })
   size <- sqrt(rowMeans(errors^2))
@@ -89,4 +90,6 @@ test_that("losses that a few swings do not separate leave the period that of one
   expect_lt(size[5], 1.15 * size[2])
   expect_lt(size[3], 1.3 * size[4])
   expect_gt(size[1] / size[3], 0.7)
+  # The error for white noise is of the same motion: the noise is white.
+  expect_lt(stats::median(abs(errors[6, ])), 0.1)
 })

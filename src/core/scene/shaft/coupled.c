@@ -101,7 +101,7 @@ static rot_status jump(const rot_shaft_modes *s, rot_shaft_stepper *y, double st
 
 /* ---- in twice the precision ------------------------------------------------------------------ */
 
-/* Up to so many rotors: a power of the propagator takes 1 ms for 24. */
+/* Up to so many rotors: a power of the propagator takes 49^3 products for 24. */
 enum { SMALL = 24 };
 
 /* By how much of itself an input is moved: far from rounding, and still linear. */
