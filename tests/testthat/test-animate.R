@@ -106,6 +106,17 @@ test_that("what a page draws is what the frames have", {
   }
 })
 
+test_that("a label has its letter and its index apart", {
+  skip_if_not_installed("yyjsonr")
+  page <- animate_motion(
+    trajectory(scene_incline(body_sphere(1, 0.1), 30, static_friction = 0.1, omega0_rad_per_s = 0), c(0, 1)),
+    frames_per_s = 2
+  )
+  text <- rotdyn:::labels_json(page$film)
+  expect_true(any(grepl("\"t\":[\"F\",\"f\"]", text, fixed = TRUE)))
+  expect_true(any(grepl("\"t\":[\"mg\",\"\"]", text, fixed = TRUE)))
+})
+
 test_that("arcs and maps stand for points", {
   arc <- as_arc(draw_arc(1, 2, 3, 30, -140))
   expect_equal(arc, c(1, 2, 3, 30, -140))

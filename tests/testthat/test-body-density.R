@@ -341,3 +341,21 @@ test_that("the centre is known to a rounding of its place, and to no less", {
   expect_gte(body$detail$centre_error_m, .Machine$double.eps * (3e5 + 0.05))
   expect_lt(body$detail$centre_error_m, 2 * .Machine$double.eps * 3e5)
 })
+
+test_that("what the sums leave of the centre counts beside the error of the rule", {
+  moments <- stats::setNames(numeric(length(rotdyn:::moment_names)), rotdyn:::moment_names)
+  moments[c("mass", "x", "x_lo", "centre_error")] <- c(2, 0.25, -1e-17, 3e-17)
+  found <- function(centre) {
+    list(
+      moments = replace(moments, 8:10, 0.5), errors = c(second = 0, mass = 0, centre = centre),
+      detail = list(), evaluations = 1
+    )
+  }
+  run <- list(domain = domain_box(c(-1.25, -1, -1), c(0.75, 1, 1)))
+  error <- function(centre) {
+    rotdyn:::density_body(found(centre), run, "rule", "box")$detail$centre_error_m
+  }
+  # At the origin no rounding of the place itself counts.
+  expect_within(error(0), 4e-17, 1e-30)
+  expect_within(error(1e-10) - error(0), 1e-10 * sqrt(0.75), 1e-16)
+})

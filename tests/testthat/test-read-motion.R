@@ -161,3 +161,13 @@ test_that("a part of a zip that does not fit on the disk is not called damaged",
   replace("put_file", function(...) "The disk is full.")
   expect_error(read_motion(zip, axis = "z"), "disk is full.*TMPDIR", class = "rotdyn_error_file")
 })
+
+test_that("the first line of a table says whose it is", {
+  format <- function(lines) {
+    rotdyn:::motion_format(charToRaw(paste0(lines, collapse = "\n")), "a.csv", NULL)
+  }
+  phyphox <- '"Time (s)","Gyroscope x (rad/s)","Gyroscope y (rad/s)"'
+  expect_identical(format(c(phyphox, "0,1,2", "1,2,3")), "phyphox")
+  expect_identical(format(c("0,1,2", phyphox, "1,2,3")), "imu")
+  expect_identical(format(c("", "mass A,,", "t,x,y", "0,1,2")), "tracker")
+})

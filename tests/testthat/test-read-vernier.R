@@ -108,7 +108,7 @@ test_that("a column of a project that is shorter has no value in the last rows",
   text <- paste(vernier_xml(list("Run 1" = samples(30))), collapse = "\n")
   short <- sub("\n3.3\n3.4\n</ColumnCells>", "\n</ColumnCells>", text, fixed = TRUE)
   expect_false(identical(short, text))
-  r <- read_motion(text_file(short, ext = ".cmbl"))
+  expect_no_warning(r <- read_motion(text_file(short, ext = ".cmbl")))
   expect_equal(r$time_s, samples(28)$t)
   expect_equal(r$theta_rad, samples(28)$a)
 })

@@ -197,6 +197,12 @@ static void edges_and_clocks(void) {
     ROT_CHECK_REL(slope[i], 3.0, 1e-8);
     ROT_CHECK(fabs(slope[N + i]) < 1e-8);
   }
+  /* The step is the difference of two doubles: of numbers that are exact so is the slope. */
+  const double third[] = {0.0, 1.0 / 3.0};
+  ROT_CHECK(rot_fit_motion_at(m, third, 0.0, value, NULL) == ROT_OK);
+  size = 0.0;
+  ROT_CHECK(rot_fit_motion_slope(m, 1, -DBL_MAX, DBL_MAX, &size, slope) == ROT_OK);
+  for (int i = 0; i < N; i++) ROT_CHECK(slope[N + i] == 1.0);
   ROT_CHECK(strcmp(rot_fit_motion_model(m)->id, "axle_linear") == 0 ||
             strcmp(rot_fit_motion_model(m)->id, "axle_free") == 0);
   /* Refused numbers. */

@@ -682,6 +682,29 @@ static void check_rigid(void) {
   ROT_CHECK(isinf(info.measure[ROT_OMEGA].error));
 }
 
+/* The allowances from above: of an angle twice the rounding of the initial one and of the result, of
+ * a row behind k others k times the rounding of 2 n products. */
+static void check_allowances(void) {
+  enum { ROWS = 64 };
+  double J[2] = {2.0, 0.5}, k = 1.0, c = 0.25, none[2] = {0.0}, far[2] = {1e3, 1e3};
+  double slow[2] = {1e-3, 1e-3}, same[2] = {0.25, 0.0625};
+  double theta[2 * ROWS], omega[2 * ROWS], torque[2 * ROWS], time[ROWS];
+  const rot_shaft_columns out = {theta, omega, torque};
+  for (int i = 0; i < ROWS; i++) time[i] = 0.125 * (i + 1);
+  rot_info info;
+  const rot_shaft_params turned = {2, J, &k, &c, same, none, far, slow, 0.0};
+  ROT_CHECK_EQ_INT(rot_shaft_modal(&turned, 1, 1, time, &out, NULL, &info), ROT_OK);
+  const double angle = info.measure[ROT_THETA].error / (ROT_EPS * 1e3);
+  ROT_CHECK(angle >= 4.0 && angle <= 5.0);
+  double own[2] = {0.25, 0.0}, start[2] = {1.0, -1.0};
+  const rot_shaft_params coupled = {2, J, &k, &c, own, none, none, start, 0.0};
+  ROT_CHECK_EQ_INT(rot_shaft_modal(&coupled, 0, ROWS, time, &out, NULL, &info), ROT_OK);
+  const double alone = info.measure[ROT_OMEGA].error;
+  ROT_CHECK_EQ_INT(rot_shaft_modal(&coupled, 1, ROWS, time, &out, NULL, &info), ROT_OK);
+  const double steps = (info.measure[ROT_OMEGA].error - alone) / (ROT_EPS * 4.0 * ROWS);
+  ROT_CHECK(steps >= 0.9 && steps <= 1.5);
+}
+
 static rot_status stop(void *ctx, double fraction) {
   (void)ctx;
   (void)fraction;
@@ -712,6 +735,7 @@ int main(void) {
   check_no_flow();
   check_ends();
   check_rigid();
+  check_allowances();
   check_stop();
   check_cases();
   return rot_test_report("shaft");
