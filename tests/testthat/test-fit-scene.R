@@ -112,6 +112,23 @@ test_that("several records share what is not per record; offset, factor, clock, 
   expect_equal(told$value[2] / told$value[1], 0.5, tolerance = 0.01)
 })
 
+test_that("a limit near an edge is as narrow as the record makes it", {
+  time_s <- seq(0, 10, 0.1)
+  from <- time_s - 5
+  set.seed(3)
+  noise <- stats::rnorm(101, 0, 5e-12)
+  # The best friction would be -1e-13 N m.
+  noise <- noise - sum(noise * from) / sum(from^2) * from + 1e-13 * from
+  scene <- scene_axle(1, resistance = resistance(coulomb_n_m = 0.1), omega0_rad_per_s = 10)
+  fit <- fit_scene(
+    scene, data.frame(time_s = time_s, omega_rad_per_s = 10 + noise),
+    c("resistance$coulomb_n_m", "omega0_rad_per_s")
+  )
+  expect_identical(fit$status[1], "at its lower limit")
+  grown <- stats::qt(0.95, 99) * fit$standard_error[2] * sqrt(101 / sum(from^2))
+  expect_within(fit$upper[1], sqrt(1e-26 + grown^2) - 1e-13, 0.01)
+})
+
 test_that("an unknown at the edge of its domain has a one-sided interval", {
   wheel <- scene_axle(1, resistance = resistance(0, 0, 0.5), omega0_rad_per_s = 3)
   film <- film_of(wheel, seq(0, 8, by = 0.05), "theta_rad", 0.01, 5)

@@ -437,3 +437,20 @@ test_that("status, todo and read agree on which chunks are done", {
   expect_identical(nrow(sweep_read(folder)), 0L)
   unlink(folder, recursive = TRUE)
 })
+
+test_that("numbers of a chunk that no plan has are refused", {
+  plan <- sweep_plan(wheel, 1, rows_of(omega0_rad_per_s = c(1, 2)))
+  how <- list(
+    first = 0, n = 2, block_rows = 256, summed = 1, keep = 1, condition = NULL,
+    shift = double(length(plan$outputs)), replicates = 16, run = 1
+  )
+  chunk <- function(...) {
+    .Call(rotdyn:::ffi_sweep_chunk, rotdyn:::core_sweep(plan, 1), utils::modifyList(how, list(...)),
+          NULL, NULL)
+  }
+  expect_identical(chunk()$column[[1]], c(1, 2))
+  expect_identical(chunk(replicates = 4096)$column, chunk()$column)
+  for (n in c(0, 4097, NaN)) expect_error(chunk(replicates = n), "replicates")
+  for (n in c(255, 65537)) expect_error(chunk(block_rows = n), "block_rows")
+  for (n in c(-1, 0.5, 3)) expect_error(chunk(keep = n), "keep")
+})

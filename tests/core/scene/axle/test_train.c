@@ -128,6 +128,17 @@ static void check_losses(void) {
   ROT_CHECK(curves > 0 && points > 0);
 }
 
+/* Two equal torques but for 1e-10 N m: the power through the mesh turns at 1e-10 rad/s, of 2 rad/s
+ * that the motion reaches. */
+static void check_slow_bend(void) {
+  const double ratio[] = {1.0}, inertia[] = {1.0, 1.0}, viscous[] = {0.0, 1.0};
+  const double torque[] = {1.0, 1.0 + 1e-10}, efficiency[] = {0.9};
+  ROT_CHECK(make(2, ratio, inertia, viscous, torque, efficiency) == ROT_OK);
+  int near = 0;
+  for (size_t i = 0; i < law.n_curve; i++) near += fabs(law.omega_rad_per_s[i] - 1e-10) <= 1e-13;
+  ROT_CHECK_EQ_INT(near, 1);
+}
+
 /* A torque that is off by E moves a body of 2 kg m^2 by E t^2/(2 I), its rate by E t/I; with a
  * viscous resistance c backwards in time: I omega' = E - c omega. */
 static void check_error(void) {
@@ -159,6 +170,7 @@ static void check_error(void) {
 int main(void) {
   check_by_hand();
   check_losses();
+  check_slow_bend();
   check_error();
   rot_store_free(&store);
   return rot_test_report("train");
