@@ -419,6 +419,20 @@ static void impact_and_outlier(void) {
   ROT_CHECK_REL(fit.sigma, 1e-3, 0.15);
   ROT_CHECK(rot_smooth_time_error(&of.record, &fit, n, breaks, 0, &error) == ROT_OK);
   ROT_CHECK(error > 2e-5 && error < 1e-3);
+  /* Of a weaker impact the time is less sharp; beyond 5 samples it is not known. */
+  int known = 0, unknown = 0;
+  double jump = 6.0, before = error;
+  for (int k = 0; k < 90; k++) {
+    const double next = jump * (k < 27 ? 0.8 : 0.99);
+    for (int i = 0; i < 400; i++) of.theta[i] += (next - jump) * fmax(0.0, of.time[i] - 4.013);
+    jump = next;
+    ROT_CHECK(rot_smooth_time_error(&of.record, &fit, n, breaks, 0, &error) == ROT_OK);
+    known += !isnan(error);
+    unknown += isnan(error);
+    ROT_CHECK(isnan(error) || (error <= 0.07 && error > 0.9 * before));
+    if (!isnan(error)) before = error;
+  }
+  ROT_CHECK(known > 10 && unknown > 5);
 }
 
 /* A line without noise: a polynomial, with sigma at the rounding of the samples. */
