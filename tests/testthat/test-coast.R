@@ -593,3 +593,11 @@ test_that("anticorrelated noise has fewer degrees of freedom than samples", {
   expect_equal(dof, 2 * ((1 - a) / (2 * sqrt((1 - a^2) / n)))^2, tolerance = 1e-4)
   expect_identical(rotdyn:::noise_dof(n, 8, 0, 1), n)
 })
+
+test_that("of slow noise a run has the samples that its mean shows, of white noise all", {
+  dof <- function(tau, white) rotdyn:::noise_dof(100, 99, tau, white)
+  expect_equal(dof(11, 0), 99 / 22)
+  expect_equal(dof(11, 1 - 1e-9), 100, tolerance = 1e-6)
+  # Half of the power at low frequency is slow, with tau = 1/2 of a sample: 99 and 100 samples.
+  expect_equal(dof(0.5, 0.5), 4 / (1 / 99 + 1 / 100))
+})

@@ -48,6 +48,10 @@ test_that("a clutch prints itself", {
     print(scene_clutch(2, 3, 12, static_capacity_n_m = 15, engage_s = 1)),
     "two bodies and a clutch.*12 N m slipping, 15 N m locked, engages at 1 s"
   )
+  expect_output(
+    print(scene_clutch(2, 3, 12, torque = list(torque_constant(5), torque_constant(-7)))),
+    "torque 1  constant, 5 N m\n  torque 2  constant, -7 N m"
+  )
 })
 
 test_that("a sum of laws that is constant between jumps will do", {

@@ -30,6 +30,22 @@ static void test_upright(void) {
   }
 }
 
+/* The lowest angle of a small nutation is in proportion to the angle of the release, however small:
+ * a top sleeps from 2 sqrt(m g l/I1) = 26.3 of I3 omega/I1 on. */
+static void test_small_angles(void) {
+  rot_precession_input in = {0.5, 0.08, 0.002, 0.0, 0.003, 0.0, 9.80665};
+  static const double spin[] = {45.0, 60.0, 500.0};
+  for (int i = 0; i < 3; i++) {
+    in.spin_rad_per_s = spin[i];
+    in.angle_deg = 1e-9;
+    const double lowest = rot_precession_of(&in).lowest_deg / in.angle_deg;
+    ROT_CHECK(lowest > 1.0 && lowest < 10.0);
+    for (in.angle_deg = 1e-18; in.angle_deg > 1e-300; in.angle_deg *= 1e-20) {
+      ROT_CHECK_REL(rot_precession_of(&in).lowest_deg / in.angle_deg, lowest, 1e-9);
+    }
+  }
+}
+
 /* I1, I3, G, theta, omega3, slow, fast, formula, period, lowest cosine, angle of a nutation. */
 static void test_table(void) {
   FILE *table = shared_table("refs/heavy_top_scalar.csv");
@@ -174,6 +190,7 @@ static void test_scales(void) {
 int main(void) {
   test_horizontal();
   test_upright();
+  test_small_angles();
   test_table();
   test_signs();
   test_ends();
