@@ -296,6 +296,10 @@ static rot_status refuse(rot_ode_stepping *run, double h, double ratio, rot_stat
   return reject(run, h, less, tried == ROT_OK ? ROT_ESTEP : tried);
 }
 
+/* Whether rhs may change its law where nothing marks it. Where it does not, steps whose error does
+ * not fall are of two motions that have parted, as chaotic ones do. */
+static int may_bend(const rot_ode_params *p) { return p->kinks || p->resolution > 0.0; }
+
 static void note_error(rot_ode_stepping *run, double error, int unresolved) {
   rot_ode_errors *e = run->errors;
   e->found += error;
@@ -339,7 +343,8 @@ rot_status rot_ode_advance(rot_ode_stepping *run, double stop, double fraction,
   if (*what == ROT_ODE_TRY_SHORTER) return reject(run, plan.h, 0.1, ROT_ESTEP);
   const double error = ratio * step->tolerance;
   const int unresolved = rot_ode_is_unresolved(&run->reference, error);
-  if (unresolved && run->law.slides == NO_SURFACE && isnan(run->kinks.before)) {
+  if (unresolved && may_bend(run->law.p) && run->law.slides == NO_SURFACE &&
+      isnan(run->kinks.before)) {
     const size_t surfaces = run->law.surfaces->count;
     int added;
     status = join_surface(run, surfaces, rot_ode_look_for_surface(&run->kinks, h), &added);

@@ -94,6 +94,7 @@ typedef struct estimated {
   double steps;    /* what of it finer steps would lessen */
   double rounding; /* part of the distance that is rounding, there */
   int lost;        /* see above */
+  int unknown; /* moved by their roundings, motions are as far from each other as they are long */
 } estimated;
 
 /* `rounding`: part of a distance that is rounding, if the error falls with the order. distance[]:
@@ -102,7 +103,7 @@ static estimated estimate(const rot_ode_job *coarse, const rot_ode_job *fine, co
                           double rounding, double change[], double distance[], double error[]) {
   const rot_ode_params *p = fine->p;
   const double ratio = (double)fine->parts / (double)coarse->parts;
-  estimated found = {0.0, 0.0, rounding, 0};
+  estimated found = {0.0, 0.0, rounding, 0, 0};
   const double correction =
       corrections(fine) ? 1.0 / (rot_ode_gain(fine->method, ratio) - 1.0) : 0.0;
   /* Most steps whose error does not fall meet a kink that was not found; fewer where one was. */
@@ -143,6 +144,7 @@ static estimated estimate(const rot_ode_job *coarse, const rot_ode_job *fine, co
     error[m] = part * error[m] + last->fraction[m] + last->moved[m] + resolve * size + roundings;
     if (integral || size == 0.0) continue;
     found.steps = fmax(found.steps, lessened / size);
+    found.unknown |= fine->propagation && fine->propagation->seen && roundings >= size;
     if (error[m] / size > found.worst) found.rounding = rounded;
     found.worst = fmax(found.worst, error[m] / size);
   }
@@ -249,10 +251,11 @@ static int collocate(const rot_ode_job *coarse, const rot_hooks *hooks, rot_info
 }
 
 /* The result by finer runs, of which the first divides the steps of the coarse one into `parts`.
- * `scratch`: dim, the distances, then twice the integrals of the last two, then twice dim. */
-static void refine(rot_ode_job coarse, size_t parts, double tolerance, int stepwise,
-                   rot_ode_trace traces[2][2], double *scratch, const rot_hooks *hooks,
-                   rot_info *info) {
+ * `scratch`: dim, the distances, then twice the integrals of the last two, then twice dim. Returns 1
+ * if no steps would say more: it is unknown. */
+static int refine(rot_ode_job coarse, size_t parts, double tolerance, int stepwise,
+                  rot_ode_trace traces[2][2], double *scratch, const rot_hooks *hooks,
+                  rot_info *info) {
   const rot_ode_params *p = coarse.p;
   const rot_ode_trace *reference = coarse.trace;
   const rot_ode_output out = coarse.rows;
@@ -275,11 +278,11 @@ static void refine(rot_ode_job coarse, size_t parts, double tolerance, int stepw
     fine.tolerance = fmax(MIN_FINE, 8.0 * first / rot_ode_gain(fine.method, (double)parts));
     if (k == 0 && info->status == ROT_OK && rot_ode_roundings_rule(&coarse)) {
       rot_ode_see_roundings(&coarse, &fine, traces, scratch + 4 * p->dim, scratch, hooks, info);
-      if (is_over(info->status)) return;
+      if (is_over(info->status)) return 0;
     }
     for (size_t i = 0; out.slope && i < out.n; i++) out.slope[i] = NAN;
     rot_ode_run_once(&fine, hooks, info);
-    if (is_over(info->status)) return;
+    if (is_over(info->status)) return 0;
     /* A step's rounding beside what its error test allows. */
     const double fraction =
         4e-15 * rot_ode_gain(ROT_METHOD_RK8PD, (double)coarse.parts) / tolerance;
@@ -288,26 +291,29 @@ static void refine(rot_ode_job coarse, size_t parts, double tolerance, int stepw
     stalls = gained > 0.5 ? stalls + 1 : 0;
     if (coarse.probes) {
       rot_ode_probes_sift(coarse.probes, out.error);
-      if (coarse.probes->n_sights) return; /* other steps are needed */
+      if (coarse.probes->n_sights) return now.unknown; /* other steps are needed */
     }
     if (info->status != ROT_OK || now.worst <= p->accuracy || now.rounding > 0.3 || stalls == 2 ||
-        now.steps < 0.5 * now.worst || (k + 1 >= MAX_RUNS && !(gained < FAST))) {
-      return;
+        now.unknown || now.steps < 0.5 * now.worst || (k + 1 >= MAX_RUNS && !(gained < FAST))) {
+      return now.unknown;
     }
     last = now.lost ? INFINITY : now.worst;
     const double ratio = pow(1.0 + 2.0 * now.steps / p->accuracy, 1.0 / 8.0);
     const double more = stepwise ? 2.0 : fmin(4.0, ratio);
     const size_t next = (size_t)fmax(ceil(more * (double)parts), (double)parts + 1.0);
-    if (info->steps * next > p->max_steps * parts) return;
+    if (info->steps * next > p->max_steps * parts) return 0;
     parts = next;
     if (coarse.probes) rot_ode_probes_uncover(coarse.probes);
     if (stepwise || now.lost) coarse = fine;
   }
+  return 0;
 }
 
-/* One choice of steps and what follows from it, with the surfaces known so far. */
+/* One choice of steps and what follows from it, with the surfaces known so far. *unknown: no other
+ * choice would say more. */
 static rot_status solve(const rot_ode_params *p, rot_ode_surfaces *surfaces, rot_ode_probes *probes,
-                        const rot_ode_output *out, const rot_hooks *hooks, rot_info *info) {
+                        const rot_ode_output *out, int *unknown, const rot_hooks *hooks,
+                        rot_info *info) {
   const size_t dim = p->dim;
   rot_ode_trace traces[3][2] = {
       {{.count = 0}}}; /* of the run that chose the steps, of the last two */
@@ -364,7 +370,8 @@ static rot_status solve(const rot_ode_params *p, rot_ode_surfaces *surfaces, rot
   }
   coarse.trajectory = NULL;
   if (!solved && !hopeless) {
-    refine(coarse, parts, tolerance, stepwise, traces + 1, scratch + 4 * dim, hooks, info);
+    *unknown =
+        refine(coarse, parts, tolerance, stepwise, traces + 1, scratch + 4 * dim, hooks, info);
   }
   if (chosen.status != ROT_OK && info->status == ROT_OK) {
     info->status = chosen.status;
@@ -431,6 +438,7 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
   rot_ode_probes *probes = NULL;
   const int first_mode = p->mode ? *p->mode : 0;
   rot_status status = ROT_OK;
+  int unknown = 0;
   rot_ode_output out = {n, 0, time_s, y, slope, error, largest};
   surfaces.count = 0;
   while (out.before < n && time_s[out.before] < p->start_s) out.before++;
@@ -449,12 +457,14 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
     const size_t known = surfaces.count;
     if (p->mode) *p->mode = first_mode;
     if (probes) rot_ode_probes_clear(probes);
-    status = solve(&now, &surfaces, probes, &out, hooks, info);
+    const int before = unknown;
+    unknown = 0;
+    status = solve(&now, &surfaces, probes, &out, &unknown, hooks, info);
     const size_t sights = probes ? probes->n_sights : 0;
     /* A run that meets a surface unprepared may be far from the next one, which knows it. */
     const int unprepared = surfaces.count > known && !is_accurate(p, error, largest);
     if (status != ROT_OK || (sights == 0 && !unprepared)) break;
-    if (round == MAX_ROUNDS) {
+    if (round == MAX_ROUNDS || (before && unknown)) {
       for (size_t k = 0; k < sights; k++) error[probes->sight[k].measure] += probes->sight[k].worth;
       break;
     }
