@@ -48,9 +48,10 @@ rot_status rot_ode_see_roundings(const rot_ode_job *coarse, const rot_ode_job *f
   const rot_ode_params *p = coarse->p;
   const size_t measures = rot_ode_measures(p);
   double *distance = seen + measures;
+  int apart = 0; /* two runs are as far from each other as the motion is long: they say enough */
   if (RUNS * info->steps * fine->parts > p->max_steps) return ROT_OK;
   memset(seen, 0, measures * sizeof *seen);
-  for (unsigned run = 0; run < RUNS; run++) {
+  for (unsigned run = 0; run < RUNS && !apart; run++) {
     rot_ode_job moved = *fine;
     moved.trace = traces[run > 0];
     moved.probes = NULL;
@@ -62,8 +63,11 @@ rot_status rot_ode_see_roundings(const rot_ode_job *coarse, const rot_ode_job *f
     for (int side = 0; side < 2; side++) {
       if (!note_distances(p, &traces[0][side], &traces[1][side], change, distance)) return ROT_OK;
     }
+    for (size_t m = 0; m < rot_ode_steering(p); m++) {
+      apart = apart || distance[m] >= coarse->largest[m];
+    }
     for (size_t m = 0; m < measures; m++) {
-      seen[m] = hypot(seen[m], distance[m] / sqrt(2.0 * (RUNS - 1)));
+      seen[m] = hypot(seen[m], distance[m] / sqrt(2.0 * (apart ? run : RUNS - 1)));
     }
   }
   for (size_t m = 0; m < rot_ode_steering(p); m++) {
