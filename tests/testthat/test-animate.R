@@ -108,10 +108,8 @@ test_that("what a page draws is what the frames have", {
 
 test_that("a label has its letter and its index apart", {
   skip_if_not_installed("yyjsonr")
-  page <- animate_motion(
-    trajectory(scene_incline(body_sphere(1, 0.1), 30, static_friction = 0.1, omega0_rad_per_s = 0), c(0, 1)),
-    frames_per_s = 2
-  )
+  ball <- scene_incline(body_sphere(1, 0.1), 30, static_friction = 0.1, omega0_rad_per_s = 0)
+  page <- animate_motion(trajectory(ball, c(0, 1)), frames_per_s = 2)
   text <- rotdyn:::labels_json(page$film)
   expect_true(any(grepl("\"t\":[\"F\",\"f\"]", text, fixed = TRUE)))
   expect_true(any(grepl("\"t\":[\"mg\",\"\"]", text, fixed = TRUE)))

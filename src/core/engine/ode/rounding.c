@@ -48,10 +48,10 @@ rot_status rot_ode_see_roundings(const rot_ode_job *coarse, const rot_ode_job *f
   const rot_ode_params *p = coarse->p;
   const size_t measures = rot_ode_measures(p);
   double *distance = seen + measures;
-  int apart = 0; /* two runs are as far from each other as the motion is long: they say enough */
+  int parted = 0; /* two runs are as far from each other as the motion is long: they say enough */
   if (RUNS * info->steps * fine->parts > p->max_steps) return ROT_OK;
   memset(seen, 0, measures * sizeof *seen);
-  for (unsigned run = 0; run < RUNS && !apart; run++) {
+  for (unsigned run = 0; run < RUNS && !parted; run++) {
     rot_ode_job moved = *fine;
     moved.trace = traces[run > 0];
     moved.probes = NULL;
@@ -64,10 +64,10 @@ rot_status rot_ode_see_roundings(const rot_ode_job *coarse, const rot_ode_job *f
       if (!note_distances(p, &traces[0][side], &traces[1][side], change, distance)) return ROT_OK;
     }
     for (size_t m = 0; m < rot_ode_steering(p); m++) {
-      apart = apart || distance[m] >= coarse->largest[m];
+      parted = parted || distance[m] >= coarse->largest[m];
     }
     for (size_t m = 0; m < measures; m++) {
-      seen[m] = hypot(seen[m], distance[m] / sqrt(2.0 * (apart ? run : RUNS - 1)));
+      seen[m] = hypot(seen[m], distance[m] / sqrt(2.0 * (parted ? run : RUNS - 1)));
     }
   }
   for (size_t m = 0; m < rot_ode_steering(p); m++) {

@@ -54,7 +54,7 @@ static void relax(double t, const double y[], double rate[]) {
 
 /* Two equal pendulums of 1 m, one below the other. */
 static void fling(double t, const double y[], double rate[]) {
-  const double apart = y[0] - y[1], c = cos(apart), s = sin(apart), mass = 3.0 - cos(2.0 * apart);
+  const double bend = y[0] - y[1], c = cos(bend), s = sin(bend), mass = 3.0 - cos(2.0 * bend);
   const double u = y[2] * y[2], v = y[3] * y[3], g = 9.8;
   (void)t;
   rate[0] = y[2];

@@ -682,8 +682,8 @@ static void check_rigid(void) {
   ROT_CHECK(isinf(info.measure[ROT_OMEGA].error));
 }
 
-/* The allowances from above: of an angle twice the rounding of the initial one and of the result, of
- * a row behind k others k times the rounding of 2 n products. */
+/* The allowances from above: of an angle twice the rounding of the initial one and of the result,
+ * of a row behind k others k times the rounding of 2 n products. */
 static void check_allowances(void) {
   enum { ROWS = 64 };
   double J[2] = {2.0, 0.5}, k = 1.0, c = 0.25, none[2] = {0.0}, far[2] = {1e3, 1e3};
