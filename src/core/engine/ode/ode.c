@@ -251,8 +251,8 @@ static int collocate(const rot_ode_job *coarse, const rot_hooks *hooks, rot_info
 }
 
 /* The result by finer runs, of which the first divides the steps of the coarse one into `parts`.
- * `scratch`: dim, the distances, then twice the integrals of the last two, then twice dim. => 1: it is
- * unknown, and no steps would say more. */
+ * `scratch`: dim, the distances, then twice the integrals of the last two, then twice dim.
+ * => 1: it is unknown, and no steps would say more. */
 static int refine(rot_ode_job coarse, size_t parts, double tolerance, int stepwise,
                   rot_ode_trace traces[2][2], double *scratch, const rot_hooks *hooks,
                   rot_info *info) {
