@@ -464,6 +464,7 @@ rot_status rot_ode_run(const rot_ode_params *p, size_t n, const double time_s[],
     /* A run that meets a surface unprepared may be far from the next one, which knows it. */
     const int unprepared = surfaces.count > known && !is_accurate(p, error, largest);
     if (status != ROT_OK || (sights == 0 && !unprepared)) break;
+    /* Unknown with the surfaces of the round before, too: no other would help. */
     if (round == MAX_ROUNDS || (before && unknown)) {
       for (size_t k = 0; k < sights; k++) error[probes->sight[k].measure] += probes->sight[k].worth;
       break;
