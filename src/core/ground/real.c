@@ -50,18 +50,25 @@ double rot_sum_product(double first, int n, const double x[], double *lo) {
   return all;
 }
 
-/* deg => quadrant, remainder in rad *x + *x_lo. The remainder in degrees, in [-45, 45], is exact;
+/* deg => quadrant, remainder in rad *x + *x_lo. The remainder in degrees, in [-45, 45], is exact:
+ * fmod() is, the quotient by 90 rounds to the nearest number of quarters, and the difference obeys
+ * Sterbenz. remquo() would say the same in one call, but qemu 7.2 leaves its quotient 0 on i386.
  * pi/180 has 106 bits. */
 static int reduce_deg(double deg, double *x, double *x_lo) {
   const double hi = 0x1.1df46a2529d39p-6, lo = 0x1.5c1d8becdd291p-62;
-  int quadrant = 0; /* remquo() of NaN and Inf may not set it */
+  int quadrant = 0; /* of NaN and Inf, too */
   double r = deg;
   if (fabs(deg) > 45.0) {
-    if (fabs(deg) <= 90.0) { /* angles of inclines: remquo() would take 20 ns */
+    if (fabs(deg) <= 90.0) { /* angles of inclines: fmod() takes 20 ns */
       quadrant = deg > 0.0 ? 1 : -1;
       r = deg > 0.0 ? deg - 90.0 : deg + 90.0;
     } else {
-      r = remquo(deg, 90.0, &quadrant);
+      r = fmod(deg, 360.0);
+      if (isfinite(r)) {
+        quadrant = (int)rint(r / 90.0);
+        r -= 90.0 * quadrant;
+        if (r == 0.0) r = copysign(r, deg); /* so that sin(-180) is -sin(180) */
+      }
     }
   }
   *x = rot_two_prod(r, hi, x_lo);

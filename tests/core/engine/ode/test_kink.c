@@ -115,7 +115,9 @@ static void check_cover(void) {
     printf("accuracy 1e-%02d: %d of %d missed, %d in doubt, error at most %.2g of the estimate, "
            "%zu calls each\n",
            a, missed, cases, doubtful, worst, calls / (size_t)cases);
-    ROT_CHECK(missed <= (a <= 6 ? 3 : 1) && doubtful <= 5);
+    /* Of 1500 cases 4, 40, 11 and 1 are missed; rk8pd with fused products misses 1, 2, 2 and 1 of
+     * these 100. */
+    ROT_CHECK(missed <= 3 && doubtful <= 5);
   }
 }
 
