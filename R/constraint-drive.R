@@ -18,16 +18,15 @@ drive_constraint <- function() {
     periods = drive_periods,
     stops = stops_at_rest(stop_theta_rad = "theta_rad", goes_on = drive_goes_on),
     summary = function(x, run, call) {
-      whole <- function(column) {
-        if (!is.null(x[[column]])) rowsum(x[[column]], match(x$time_s, x$time_s))
-      }
+      end <- x$time_s == last(x$time_s)
+      end[end] <- !duplicated(x$rotor[end], fromLast = TRUE)
       heat <- vapply(c("heat_j", "coupling_heat_j"), function(column) {
-        sum(x[[column]][x$time_s == last(x$time_s)], na.rm = TRUE)
+        sum(x[[column]][end], na.rm = TRUE)
       }, double(1))
       list(
         moment_of_inertia_kg_m2 = sum(run$scene$moment_of_inertia_kg_m2),
         max_angular_velocity_rad_per_s = largest(x[["omega_rad_per_s"]]),
-        max_rotational_kinetic_energy_j = largest(whole("rotational_kinetic_energy_j")),
+        max_rotational_kinetic_energy_j = largest(sum_of_rotors(x, "rotational_kinetic_energy_j")),
         final_theta_rad = last(x[["theta_rad"]]),
         heat_j = if (nrow(x)) sum(heat) else NA_real_
       )

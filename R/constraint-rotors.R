@@ -32,14 +32,11 @@ rotors_constraint <- function() {
     time_scales = rotors_time_scales,
     periods = function(scene, call) periods_of_modes(shaft_modes(scene)$natural_rad_per_s),
     summary = function(x, run, call) {
-      whole <- function(column) {
-        if (!is.null(x[[column]])) rowsum(x[[column]], match(x$time_s, x$time_s))
-      }
       list(
         moment_of_inertia_kg_m2 = sum(run$scene$moment_of_inertia_kg_m2),
         max_angular_velocity_rad_per_s = largest(x[["omega_rad_per_s"]]),
-        max_angular_momentum_kg_m2_per_s = largest(whole("angular_momentum_kg_m2_per_s")),
-        max_rotational_kinetic_energy_j = largest(whole("rotational_kinetic_energy_j")),
+        max_angular_momentum_kg_m2_per_s = largest(sum_of_rotors(x, "angular_momentum_kg_m2_per_s")),
+        max_rotational_kinetic_energy_j = largest(sum_of_rotors(x, "rotational_kinetic_energy_j")),
         final_theta_rad = last(x[["theta_rad"]])
       )
     },
@@ -61,6 +58,17 @@ rotors_constraint <- function() {
       panel("torque of the shaft behind it (N m)", c(shaft_torque_n_m = ""))
     )
   )
+}
+
+# (rows, column) => the sum over the rotors at each time. A time that stands twice counts as two.
+sum_of_rotors <- function(x, column) {
+  if (is.null(x[[column]])) return(NULL)
+  moment <- match(x$time_s, x$time_s)
+  row <- moment + length(moment) * as.double(x$rotor)
+  if (anyDuplicated(row)) {
+    moment <- moment + length(moment) * stats::ave(double(length(row)), row, FUN = seq_along)
+  }
+  drop(rowsum(x[[column]], moment, reorder = FALSE))
 }
 
 # A scene has a number for each rotor, and for each piece of shaft, where its inputs may be one.

@@ -57,3 +57,14 @@ test_that("an undamped stiff drive under a sinusoid is refused after a few steps
   soft <- scene_rotors(c(0.01, 1), 2e7, torque = list(torque_sinusoid(2, 5), NULL))
   expect_lt(glance(trajectory(soft, c(0, 0.5)))$error, 1e-8)
 })
+
+test_that("sums over the rotors count a time that is asked for twice once", {
+  once <- function(motion) {
+    glance(motion)[c("max_rotational_kinetic_energy_j", "heat_j")]
+  }
+  s <- scene_drive(c(1, 2), coupling_shaft(10, 0.5), omega0_rad_per_s = c(1, 0))
+  all <- trajectory(s, c(0, 0, 1, 1))
+  expect_equal(once(all), once(trajectory(s, 0:1)))
+  expect_equal(once(all)$max_rotational_kinetic_energy_j, 0.5) # at the start
+  expect_equal(once(all[c(6, 8, 1, 3, 5, 2), ])$max_rotational_kinetic_energy_j, 0.5)
+})

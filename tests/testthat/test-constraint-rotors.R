@@ -211,3 +211,10 @@ test_that("rotors before the start: from there the motion comes back to it", {
   expect_equal(back$theta_rad, at_0$theta_rad, tolerance = 1e-13)
   expect_equal(back$omega_rad_per_s, at_0$omega_rad_per_s, tolerance = 1e-13)
 })
+
+test_that("sums over the rotors count a time that is asked for twice once", {
+  s <- scene_rotors(c(1, 2), 10, omega0_rad_per_s = c(1, 0))
+  twice <- glance(trajectory(s, c(0, 0, 1)))
+  expect_equal(twice$max_angular_momentum_kg_m2_per_s, 1)
+  expect_equal(twice$max_rotational_kinetic_energy_j, 0.5)
+})
