@@ -576,8 +576,12 @@ describe_error <- function(run) {
 summary.rot_trajectory <- function(object, ...) {
   call <- check_no_dots(...)
   run <- check_trajectory(object, "object", call)
+  constraint <- constraint_of(run$scene)
+  if (isTRUE(is.unsorted(object$time_s))) {
+    object <- object[do.call(order, unclass(object)[c("time_s", constraint$index)]), ]
+  }
   new_table(c(
-    constraint_of(run$scene)$summary(object, run, call),
+    constraint$summary(object, run, call),
     list(
       model = run$model,
       accuracy = run$accuracy,

@@ -293,3 +293,11 @@ test_that("a motion is lost where its error is larger than the motion, and known
   expect_false(lost(list(error = 1)))
   expect_false(lost(list(error = Inf)) || lost(list(error = NaN)))
 })
+
+test_that("the end of a summary is the latest time, in whatever order the rows are", {
+  final <- function(motion) glance(motion)$final_theta_rad
+  reversed <- function(motion) motion[rev(seq_len(nrow(motion))), ]
+  expect_equal(final(reversed(trajectory(scene_axle(0.5, torque = 2), 0:2))), 8)
+  shaft <- trajectory(scene_rotors(1:2, 10, omega0_rad_per_s = 1:0), 0:2)
+  expect_equal(final(reversed(shaft)), final(shaft))
+})
