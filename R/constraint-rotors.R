@@ -35,7 +35,9 @@ rotors_constraint <- function() {
       list(
         moment_of_inertia_kg_m2 = sum(run$scene$moment_of_inertia_kg_m2),
         max_angular_velocity_rad_per_s = largest(x[["omega_rad_per_s"]]),
-        max_angular_momentum_kg_m2_per_s = largest(sum_of_rotors(x, "angular_momentum_kg_m2_per_s")),
+        max_angular_momentum_kg_m2_per_s = largest(
+          sum_of_rotors(x, "angular_momentum_kg_m2_per_s")
+        ),
         max_rotational_kinetic_energy_j = largest(sum_of_rotors(x, "rotational_kinetic_energy_j")),
         final_theta_rad = last(x[["theta_rad"]])
       )
