@@ -18,8 +18,8 @@ drive_constraint <- function() {
     periods = drive_periods,
     stops = stops_at_rest(stop_theta_rad = "theta_rad", goes_on = drive_goes_on),
     summary = function(x, run, call) {
-      end <- x$time_s == last(x$time_s)
-      end[end] <- !duplicated(x$rotor[end], fromLast = TRUE)
+      end <- which(x$time_s == last(x$time_s))
+      end <- end[!duplicated(x$rotor[end], fromLast = TRUE)]
       heat <- vapply(c("heat_j", "coupling_heat_j"), function(column) {
         sum(x[[column]][end], na.rm = TRUE)
       }, double(1))
