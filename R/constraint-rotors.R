@@ -62,7 +62,7 @@ rotors_constraint <- function() {
   )
 }
 
-# (rows, column) => the sum over the rotors at each time. A time that stands twice counts as two.
+# (rows, column) => the sum over the rotors at each time; two sums where it stands twice.
 sum_of_rotors <- function(x, column) {
   if (is.null(x[[column]])) return(NULL)
   moment <- match(x$time_s, x$time_s)

@@ -67,7 +67,6 @@ static int reduce_deg(double deg, double *x, double *x_lo) {
       if (isfinite(r)) {
         quadrant = (int)rint(r / 90.0);
         r -= 90.0 * quadrant;
-        if (r == 0.0) r = copysign(r, deg); /* so that sin(-180) is -sin(180) */
       }
     }
   }

@@ -260,6 +260,17 @@ static void check_degree_symmetries(void) {
   }
 }
 
+/* An odd and an even function to the last bit, at half quarters and beside them. */
+static void check_degree_parity(void) {
+  for (int i = 0; i <= 40; i++) {
+    for (int side = -1; side <= 1; side++) {
+      const double deg = side ? nextafter(45.0 * i, side * INFINITY) : 45.0 * i;
+      ROT_CHECK(rot_sin_deg(-deg) == -rot_sin_deg(deg));
+      ROT_CHECK(rot_cos_deg(-deg) == rot_cos_deg(deg));
+    }
+  }
+}
+
 static void check_degree_ends(void) {
   ROT_CHECK(rot_sin_deg(0.0) == 0.0 && rot_cos_deg(0.0) == 1.0);
   ROT_CHECK(rot_sin_deg(DBL_MIN) > 0.0 && rot_cos_deg(DBL_MIN) == 1.0);
@@ -298,6 +309,7 @@ int main(void) {
   check_exact_degrees();
   check_degrees();
   check_degree_symmetries();
+  check_degree_parity();
   check_degree_ends();
   return rot_test_report("real");
 }
