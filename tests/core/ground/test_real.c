@@ -264,7 +264,7 @@ static void check_degree_symmetries(void) {
 static void check_degree_parity(void) {
   for (int i = 0; i <= 40; i++) {
     for (int side = -1; side <= 1; side++) {
-      const double deg = side ? nextafter(45.0 * i, side * INFINITY) : 45.0 * i;
+      const double deg = side ? nextafter(45.0 * i, side * HUGE_VAL) : 45.0 * i;
       ROT_CHECK(rot_sin_deg(-deg) == -rot_sin_deg(deg));
       ROT_CHECK(rot_cos_deg(-deg) == rot_cos_deg(deg));
     }
