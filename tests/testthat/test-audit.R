@@ -169,9 +169,7 @@ test_that("energies beyond double precision give a verdict of NA, soon", {
   motion <- suppressWarnings(
     spin_up(torque = torque_exponential(1, 2), omega0_rad_per_s = 1e200, time_s = c(0, 8))
   )
-  spent <- system.time(verdict <- audit(motion)$verdict[1])
-  expect_identical(verdict, NA_character_)
-  expect_lt(sum(spent[1:2]), 10)
+  expect_identical(expect_soon(audit(motion)$verdict[1], 20), NA_character_)
 })
 
 test_that("an audit does not repeat the warning of breaks", {

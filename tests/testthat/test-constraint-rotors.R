@@ -162,27 +162,26 @@ test_that("a phase of 1e9 and the mean of a shaft that is nearly at rest keep th
   expect_lte(abs(sum(J * x$theta_rad)), 1e-11)
 })
 
-test_that("many rotors can be interrupted, their modes and audit too", {
+test_that("many rotors can be interrupted, their modes too", {
   n <- 400
   limited <- function(expr) {
     # Before the limit is set: one that ends in a finalizer is lost.
     gc()
     setTimeLimit(elapsed = 0.3, transient = TRUE)
     on.exit(setTimeLimit(elapsed = Inf))
-    # Processor time: the verdict does not depend on what else the machine does.
-    spent <- system.time(try(expr, silent = TRUE), gcFirst = FALSE)
-    expect_lt(sum(spent[1:2]), 1.5)
+    expr()
+  }
+  interrupted <- function(expr) {
+    message <- gettext("reached elapsed time limit", domain = "R")
+    expect_soon(expect_error(limited(expr), message, fixed = TRUE), 60)
   }
   set.seed(1)
   scene <- scene_rotors(
     1 + runif(n), 100 * (1 + runif(n - 1)), damping_n_m_s = runif(n - 1), resistance = runif(n),
     omega0_rad_per_s = runif(n)
   )
-  limited(shaft_modes(scene))
-  limited(trajectory(scene, 0:3))
-  small <- scene_rotors(1 + runif(120), 100 * (1 + runif(119)), 0.5, resistance = runif(120))
-  motion <- trajectory(small, 0:3)
-  limited(audit(motion))
+  interrupted(function() shaft_modes(scene))
+  interrupted(function() trajectory(scene, 0:3))
 })
 
 test_that("rotors drift under a torque, and where they turn as a whole", {

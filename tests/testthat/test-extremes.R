@@ -210,10 +210,9 @@ test_that("closed forms say which numbers are beyond double precision", {
 
 test_that("a motion that no budget can finish is refused at once", {
   refused <- function(scene, time_s = 0:1) {
-    took <- system.time(
-      expect_error(trajectory(scene, time_s), "turns", class = "rotdyn_error_budget")
+    expect_soon(
+      expect_error(trajectory(scene, time_s), "turns", class = "rotdyn_error_budget"), 20
     )
-    expect_lt(took[["user.self"]], 2)
   }
   refused(scene_hoop(1, 1e-160, 2, theta0_rad = 1))
   refused(scene_hoop(1, 1, 2, theta0_rad = 1, gravity_m_per_s2 = 1e300))
@@ -299,8 +298,7 @@ test_that("a top's rates and a curve's sizes beyond double precision are named",
   }
   expect_equal(bowl(0.5, friction = 1.7e308)$time_s, bowl(0.5)$time_s)
   # A level track: its heights are subnormal.
-  took <- system.time(expect_equal(bowl(5e-324)$time_s, 2))
-  expect_lt(took[["user.self"]], 2)
+  expect_equal(expect_soon(bowl(5e-324)$time_s, 20), 2)
 })
 
 test_that("a shaft of any stiffness turns as a gear", {
@@ -323,8 +321,9 @@ test_that("a shaft of any stiffness turns as a gear", {
 test_that("runs far beyond a budget end early", {
   skip_on_cran()
   ends_early <- function(run, class) {
-    seconds <- system.time(expect_error(run, class = class))[["user.self"]]
-    expect_lt(seconds, 8) # more than 15 to the end of a budget
+    run <- rlang::enquo(run)
+    # Up to 11 units, and 200 or more to the end of a budget.
+    expect_soon(expect_error(rlang::eval_tidy(run), class = class), 60)
   }
   clutch <- function(...) {
     scene <- scene_drive(

@@ -136,9 +136,7 @@ test_that("an audit has a budget, and what is not finite is no verdict", {
   fast <- suppressWarnings(
     spin_up(torque = torque_exponential(1, 2), omega0_rad_per_s = 1e200, time_s = c(0, 8))
   )
-  took <- system.time(a <- audit(fast))[[3]]
-  expect_equal(a$verdict[1], NA_character_)
-  expect_lt(took, 5)
+  expect_equal(expect_soon(audit(fast)$verdict[1], 20), NA_character_)
   # 5e7 periods: more panels than there may be.
   long <- trajectory(scene_axle(1, torque_sinusoid(1, 3), resistance(0.1)), c(0, 1e8))
   expect_equal(audit(long)$verdict, c(NA_character_, NA))

@@ -62,9 +62,7 @@ test_that("a column that is nearly a known one is no silent extra", {
 test_that("of many unknown names ten are looked at, of long ones none", {
   axle <- c("body", "torque", "omega0_rad_per_s")
   many <- c("Torque", paste0(strrep("x", 40), seq_len(2000), "_torqe"))
-  time <- system.time(near <- rotdyn:::near_names(many, axle))[["user.self"]]
-  expect_identical(near, "torque")
-  expect_lt(time, 1)
+  expect_identical(expect_soon(rotdyn:::near_names(many, axle), 20), "torque")
   expect_identical(rotdyn:::near_names(strrep("torque", 1e5), axle), character())
   cut <- rotdyn:::some_names(c("a", strrep("b", 200)))
   expect_identical(cut, c("a", paste0(strrep("b", 60), "...")))
@@ -74,8 +72,7 @@ test_that("of many unknown names ten are looked at, of long ones none", {
 test_that("a table of many columns is looked through once for each word", {
   wide <- stats::setNames(rep(list(1), 5000), paste0("sensor_", 1:5000))
   wide$beta <- 0.4
-  time <- system.time(made <- rolling_table(tibble::new_tibble(wide, nrow = 1L)))[["user.self"]]
-  expect_lt(time, 3)
+  made <- expect_soon(rolling_table(tibble::new_tibble(wide, nrow = 1L)), 20)
   wide$incline_angle <- 5
   expect_error(
     rolling_table(tibble::new_tibble(wide, nrow = 1L)), "incline_angle_deg",

@@ -408,10 +408,9 @@ test_that("a top that spins fast has its exact motion, one without is refused at
   expect_error(trajectory(top(c(0, 0, 1e160)), 0:1), "energy", class = "rotdyn_error_range")
   expect_error(trajectory(top(c(0, 0, 1e300)), 0:1), "energy", class = "rotdyn_error_range")
   uneven <- top(c(0, 1, 1e10), c(0.0042, 0.005, 0.006))
-  took <- system.time(
-    expect_error(trajectory(uneven, 0:1), "turns", class = "rotdyn_error_budget")
+  expect_soon(
+    expect_error(trajectory(uneven, 0:1), "turns", class = "rotdyn_error_budget"), 20
   )
-  expect_lt(took[["user.self"]], 1)
 })
 
 test_that("impulses with too many nutations to resolve have a figure", {

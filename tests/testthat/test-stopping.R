@@ -185,11 +185,9 @@ test_that("a drive that swings or is driven on is known without a search", {
   dry <- resistance(coulomb_n_m = 5)
   drive <- function(...) scene_drive(c(0.5, 0.2), coupling_shaft(800), ...)
   swings <- drive(torque = list(1, NULL), brake = list(brake(5), NULL), omega0_rad_per_s = c(3, 3))
-  took <- system.time(never_stops(swings, "no friction holds rotor 2, and nothing damps it"))
-  expect_lt(took[["user.self"]], 2)
+  expect_soon(never_stops(swings, "no friction holds rotor 2, and nothing damps it"), 20)
   driven <- drive(torque = list(20, NULL), resistance = list(dry, dry))
-  took <- system.time(never_stops(driven, "more than all friction"))
-  expect_lt(took[["user.self"]], 2)
+  expect_soon(never_stops(driven, "more than all friction"), 20)
   # At rest from the start, though rotor 2 would swing on.
   rests <- stopping(drive(torque = list(1, NULL), resistance = list(dry, NULL)))
   expect_identical(rests$stop_time_s, c(0, 0))
