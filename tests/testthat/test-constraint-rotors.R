@@ -162,6 +162,37 @@ test_that("a phase of 1e9 and the mean of a shaft that is nearly at rest keep th
   expect_lte(abs(sum(J * x$theta_rad)), 1e-11)
 })
 
+test_that("sixty rotors are as exact as the three that they consist of", {
+  set.seed(2)
+  n <- 60
+  own <- seq_len(n) %% 3 != 0 # no shaft behind each third
+  inertia <- 1 + runif(n)
+  stiffness <- 100 * (1 + runif(n)) * own
+  damping <- 0.5 * runif(n) * own
+  losses <- runif(n)
+  start <- runif(n)
+  torque <- runif(n)
+  of <- function(i) {
+    scene <- scene_rotors(
+      inertia[i], stiffness[utils::head(i, -1)], damping[utils::head(i, -1)], torque = torque[i],
+      resistance = losses[i], omega0_rad_per_s = start[i]
+    )
+    trajectory(scene, c(0.5, 7), model = "rotors_modal")
+  }
+  whole <- of(seq_len(n))
+  parts <- do.call(rbind, lapply(split(seq_len(n), (seq_len(n) - 1) %/% 3), function(i) {
+    tibble::tibble(time_s = of(i)$time_s, rotor = rep(i, 2), theta_rad = of(i)$theta_rad,
+                   omega_rad_per_s = of(i)$omega_rad_per_s)
+  }))
+  parts <- parts[order(parts$time_s, parts$rotor), ]
+  errors <- run_of(whole)$info$errors
+  for (measure in c("theta", "omega")) {
+    column <- c(theta = "theta_rad", omega = "omega_rad_per_s")[[measure]]
+    expect_lte(max(abs(whole[[column]] - parts[[column]])), errors[[measure]])
+    expect_lte(errors[[measure]], 1e-13 * max(abs(parts[[column]])))
+  }
+})
+
 test_that("many rotors can be interrupted, their modes too", {
   n <- 400
   limited <- function(expr) {

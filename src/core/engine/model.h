@@ -55,6 +55,7 @@ typedef struct rot_task {
   int asked;          /* the caller named the model: it does not switch to another */
   double step_s;      /* of a model with steps of fixed length; 0: its own choice */
   unsigned without;   /* effects that the run leaves out; the torques of its rows have them */
+  int sizes_only;     /* only the size of the motion is asked for: no errors, where they cost */
   int flows_of_whole; /* the flows are those of all effects, too; else of those that are solved */
 } rot_task;
 

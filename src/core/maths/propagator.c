@@ -6,6 +6,25 @@
 
 enum { TERMS = 24 }; /* of the series: 1/4^24/24! is 6e-39 */
 
+/* row of A => its entries that are not 0: where they stand, how many. */
+static size_t entries(const rot_propagator *p, size_t row, const size_t **places) {
+  *places = p->places + row * p->n;
+  return p->entries[row];
+}
+
+/* y = A x */
+static void apply_rate(const rot_propagator *p, const rot_dd x[], rot_dd y[]) {
+  const size_t *places;
+  for (size_t i = 0; i < p->n; i++) {
+    const size_t count = entries(p, i, &places);
+    rot_dd sum = {0.0, 0.0};
+    for (size_t k = 0; k < count; k++) {
+      sum = rot_dd_add(sum, rot_dd_mul(p->a[i * p->n + places[k]], x[places[k]]));
+    }
+    y[i] = sum;
+  }
+}
+
 /* y = a x */
 static void apply(size_t n, const rot_dd a[], const rot_dd x[], rot_dd y[]) {
   for (size_t i = 0; i < n; i++) {
@@ -18,16 +37,17 @@ static void apply(size_t n, const rot_dd a[], const rot_dd x[], rot_dd y[]) {
   }
 }
 
+/* row += x other */
+static void add_row(size_t n, rot_dd row[], rot_dd x, const rot_dd other[]) {
+  for (size_t j = 0; j < n; j++) row[j] = rot_dd_add(row[j], rot_dd_mul(x, other[j]));
+}
+
 /* c = a b; blocks of zeros remain exactly zero */
 static void multiply(size_t n, const rot_dd a[], const rot_dd b[], rot_dd c[]) {
   for (size_t i = 0; i < n * n; i++) c[i] = (rot_dd){0.0, 0.0};
   for (size_t i = 0; i < n; i++) {
     for (size_t k = 0; k < n; k++) {
-      const rot_dd x = a[i * n + k];
-      if (x.hi == 0.0) continue;
-      for (size_t j = 0; j < n; j++) {
-        c[i * n + j] = rot_dd_add(c[i * n + j], rot_dd_mul(x, b[k * n + j]));
-      }
+      if (a[i * n + k].hi != 0.0) add_row(n, c + i * n, a[i * n + k], b + k * n);
     }
   }
 }
@@ -50,7 +70,16 @@ rot_status rot_propagator_begin(rot_propagator *x, size_t n, const rot_dd a[],
   if (!x->memory) return ROT_ENOMEM;
   x->a = x->memory;
   x->work = x->a + n * n;
-  for (size_t i = 0; i < n * n; i++) x->a[i] = rot_dd_ldexp(a[i], x->exponent);
+  x->places = malloc((n * n + n) * sizeof *x->places);
+  if (!x->places) return ROT_ENOMEM;
+  x->entries = x->places + n * n;
+  for (size_t i = 0; i < n; i++) {
+    x->entries[i] = 0;
+    for (size_t j = 0; j < n; j++) {
+      x->a[i * n + j] = rot_dd_ldexp(a[i * n + j], x->exponent);
+      if (x->a[i * n + j].hi != 0.0) x->places[i * n + x->entries[i]++] = j;
+    }
+  }
   return ROT_OK;
 }
 
@@ -61,7 +90,7 @@ static void move_little(const rot_propagator *p, rot_dd fraction, rot_dd x[], ro
   memcpy(term, x, n * sizeof *x);
   for (int k = 1; k <= TERMS; k++) {
     const rot_dd factor = rot_dd_div(fraction, (rot_dd){(double)k, 0.0});
-    apply(n, p->a, term, next);
+    apply_rate(p, term, next);
     for (size_t i = 0; i < n; i++) {
       term[i] = rot_dd_mul(next[i], factor);
       x[i] = rot_dd_add(x[i], term[i]);
@@ -69,7 +98,34 @@ static void move_little(const rot_propagator *p, rot_dd fraction, rot_dd x[], ro
   }
 }
 
-/* One more power: that of h by its columns, the others by squaring. */
+/* e = exp(A h), by the series */
+static rot_status first_power(const rot_propagator *p, rot_dd e[]) {
+  const size_t n = p->n, square = n * n, *places;
+  rot_dd *memory = malloc(2 * square * sizeof *memory), *term = memory, *next = memory + square;
+  if (!memory) return ROT_ENOMEM;
+  for (size_t i = 0; i < square; i++) {
+    e[i] = term[i] = (rot_dd){i % (n + 1) == 0 ? 1.0 : 0.0, 0.0};
+  }
+  for (int k = 1; k <= TERMS; k++) {
+    const rot_dd factor = rot_dd_div((rot_dd){1.0, 0.0}, (rot_dd){(double)k, 0.0});
+    for (size_t i = 0; i < n; i++) {
+      const size_t count = entries(p, i, &places);
+      rot_dd *row = next + i * n;
+      for (size_t j = 0; j < n; j++) row[j] = (rot_dd){0.0, 0.0};
+      for (size_t j = 0; j < count; j++) {
+        add_row(n, row, rot_dd_mul(p->a[i * n + places[j]], factor), term + places[j] * n);
+      }
+      for (size_t j = 0; j < n; j++) e[i * n + j] = rot_dd_add(e[i * n + j], row[j]);
+    }
+    rot_dd *keep = term;
+    term = next;
+    next = keep;
+  }
+  free(memory);
+  return ROT_OK;
+}
+
+/* One more power: the first, or the square of the last. */
 static rot_status add_power(rot_propagator *p) {
   const size_t n = p->n, square = n * n;
   if (p->levels == p->room) {
@@ -80,18 +136,9 @@ static rot_status add_power(rot_propagator *p) {
     p->room = room;
   }
   rot_dd *to = p->power + p->levels * square;
-  if (p->levels == 0) {
-    rot_dd *column = malloc(n * sizeof *column);
-    if (!column) return ROT_ENOMEM;
-    for (size_t j = 0; j < n; j++) {
-      for (size_t i = 0; i < n; i++) column[i] = (rot_dd){i == j ? 1.0 : 0.0, 0.0};
-      move_little(p, (rot_dd){1.0, 0.0}, column, p->work, p->work + n);
-      for (size_t i = 0; i < n; i++) to[i * n + j] = column[i];
-    }
-    free(column);
-  } else {
-    multiply(n, to - square, to - square, to);
-  }
+  const rot_status status = p->levels == 0 ? first_power(p, to) : ROT_OK;
+  if (status != ROT_OK) return status;
+  if (p->levels > 0) multiply(n, to - square, to - square, to);
   p->levels++;
   return rot_poll(p->hooks, 0.0);
 }
@@ -120,6 +167,8 @@ rot_status rot_propagator_move(rot_propagator *p, rot_dd t, rot_dd x[]) {
 
 void rot_propagator_end(rot_propagator *x) {
   free(x->memory);
+  free(x->places);
   free(x->power);
   x->memory = x->power = NULL;
+  x->places = NULL;
 }

@@ -12,13 +12,15 @@
 
 typedef struct rot_propagator {
   size_t n;
-  int exponent;   /* h = 2^exponent s, |A| h between 1/8 and 1/4 */
-  size_t levels;  /* number of powers */
-  size_t room;    /* for so many */
-  rot_dd *memory; /* of a, work */
-  rot_dd *a;      /* A h, n x n, by rows */
-  rot_dd *work;   /* 2 n, for products */
-  rot_dd *power;  /* levels x n x n: exp(A h 2^level) */
+  int exponent;    /* h = 2^exponent s, |A| h between 1/8 and 1/4 */
+  size_t levels;   /* number of powers */
+  size_t room;     /* for so many */
+  rot_dd *memory;  /* of a, work */
+  rot_dd *a;       /* A h, n x n, by rows */
+  size_t *places;  /* n x n: in which columns each row has entries that are not 0 */
+  size_t *entries; /* n: how many */
+  rot_dd *work;    /* 2 n, for products */
+  rot_dd *power;   /* levels x n x n: exp(A h 2^level) */
   const rot_hooks *hooks;
 } rot_propagator;
 

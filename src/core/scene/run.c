@@ -176,6 +176,7 @@ static void measure_between_rows(const job *j, const rot_model *model, const rot
   rot_sort(SAMPLES, time_s);
   more.n = SAMPLES;
   more.time_s = time_s;
+  more.sizes_only = 1;
   if (open_columns(&own, more.n, NULL) != ROT_OK) return;
   rot_info_clear(&seen, j->constraint->measures); /* a run finds it cleared */
   if (run_model(&own, model, &more, &events, &seen) == ROT_OK) {

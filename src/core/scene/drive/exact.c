@@ -271,7 +271,7 @@ static rot_status solve_shaft(const exact *x, size_t n, const double t[], rot_st
   s->rate = rot_store_get(store, n, m * sizeof(double));
   if (!torque || !s->turned || !s->rate) return ROT_ENOMEM;
   const rot_shaft_columns out = {s->turned, s->rate, torque};
-  const rot_status status = rot_shaft_modal(&x->shaft, 0, n, t, &out, x->hooks, info);
+  const rot_status status = rot_shaft_modal(&x->shaft, ROT_SHAFT_EACH, n, t, &out, x->hooks, info);
   s->between = torque;
   for (size_t i = 0; i < n; i++) {
     for (size_t k = 0; k < m; k++) {

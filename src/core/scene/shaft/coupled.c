@@ -30,8 +30,8 @@ rot_shaft_stepper rot_shaft_stepper_in(size_t n, double memory[]) {
   return (rot_shaft_stepper){size, 0.0, 0.0, 0.0, memory, memory + square, memory + 2 * square};
 }
 
-/* Fills A h, with the torque scaled to the unit, and its exponential. */
-rot_status rot_shaft_set_step(const rot_shaft_modes *s, rot_shaft_stepper *y, double h) {
+/* Fills A h, with the torque scaled to the unit. */
+static void fill_step(const rot_shaft_modes *s, rot_shaft_stepper *y, double h) {
   const size_t n = s->n, size = y->size;
   double max = 0.0;
   int exponent = 0;
@@ -48,7 +48,11 @@ rot_status rot_shaft_set_step(const rot_shaft_modes *s, rot_shaft_stepper *y, do
     for (size_t b = 0; b < n; b++) velocity[n + b] = -s->coupling[m * n + b] * h;
     velocity[2 * n] = system_force(s, m) * h / y->unit;
   }
-  return rot_expm(size, y->a, y->e, y->work, s->hooks);
+}
+
+rot_status rot_shaft_set_step(const rot_shaft_modes *s, rot_shaft_stepper *y, double h) {
+  fill_step(s, y, h);
+  return rot_expm(y->size, y->a, y->e, y->work, s->hooks);
 }
 
 void rot_shaft_coupled_read(const rot_shaft_modes *s, const rot_shaft_stepper *y,
@@ -61,65 +65,18 @@ void rot_shaft_coupled_read(const rot_shaft_modes *s, const rot_shaft_stepper *y
   r[0] /= s->root_inertia;
 }
 
-/* ---- in doubles ------------------------------------------------------------------------------ */
-
-/* Error of the twists in units of roundoff, after a motion from the start to p, r. */
-static double system_error(const rot_shaft_modes *s, double t, const double p[], const double r[]) {
-  double start = 0.0, now = 0.0, force = 0.0, leak = 0.0;
-  for (size_t m = s->mean_alone ? 1 : 0; m < s->n; m++) {
-    const double weight = m == 0 ? s->root_inertia : 1.0;
-    const int twist = m > s->floppy;
-    start = hypot(start, hypot(twist ? s->p0[m] : 0.0, weight * s->r0[m]));
-    now = hypot(now, hypot(twist ? p[m] : 0.0, weight * r[m]));
-    force = hypot(force, system_force(s, m));
-    leak =
-        hypot(leak, s->leak[m] + s->force_leak[m] *
-                                     (m > s->floppy ? fmin(fabs(t), 2.0 / s->sigma[m]) : fabs(t)));
-  }
-  const double phase = s->norm * fabs(t), propagation = t < 0.0 ? 1.0 + phase : 1.0;
-  return propagation * leak +
-         (2.0 * (double)s->n + phase) *
-             (propagation * fmax(start, now) + force * (phase > 1.0 ? 1.0 / s->norm : fabs(t)));
-}
-
-/* Applies exp(A t) to the start. */
-static rot_status jump(const rot_shaft_modes *s, rot_shaft_stepper *y, double state[], rot_dd time,
-                       double p[], double r[]) {
-  double *start = y->work; /* unused after the exponential */
-  const double t = time.hi;
-  const rot_status status = rot_shaft_set_step(s, y, t);
-  if (status != ROT_OK) return status;
-  for (size_t i = 0; i < y->size; i++) start[i] = system_start(s, i, y->unit, y->scale);
-  rot_expm_apply(y->size, y->e, start, state);
-  if (time.lo != 0.0) { /* low part of the time, to first order */
-    rot_expm_apply(y->size, y->a, state, start);
-    for (size_t i = 0; i < y->size; i++) state[i] += time.lo / t * start[i];
-  }
-  rot_shaft_coupled_read(s, y, state, p, r);
-  return ROT_OK;
-}
-
-/* ---- in twice the precision ------------------------------------------------------------------ */
-
-/* Up to so many rotors: a power of the propagator takes 49^3 products for 24. */
-enum { SMALL = 24 };
+/* ---- from the start -------------------------------------------------------------------------- */
 
 /* By how much of itself an input is moved: far from rounding, and still linear. */
 #define SHIFT 0x1p-30
 
-rot_status rot_shaft_coupled_begin(rot_shaft_coupled *x, const rot_shaft_modes *s) {
+rot_status rot_shaft_coupled_begin(rot_shaft_coupled *x, const rot_shaft_modes *s, int rated) {
   const size_t n = s->n, size = 2 * n + 1;
-  const size_t room = n > SMALL ? rot_shaft_coupled_room(n) + size : 5 * size;
   memset(x, 0, sizeof *x);
   x->s = s;
-  x->small = n <= SMALL;
-  x->memory = malloc(room * sizeof *x->memory);
+  x->rated = rated;
+  x->memory = calloc(5 * size, sizeof *x->memory);
   if (!x->memory) return ROT_ENOMEM;
-  if (!x->small) {
-    x->state = x->memory;
-    x->one = rot_shaft_stepper_in(n, x->memory + size);
-    return ROT_OK;
-  }
   x->now = (rot_dd *)x->memory;
   x->moved = x->now + size;
   x->error = x->memory + 4 * size;
@@ -133,7 +90,7 @@ rot_status rot_shaft_coupled_begin(rot_shaft_coupled *x, const rot_shaft_modes *
   if (!(x->rate > 0.0)) x->rate = 1.0;
   (void)frexp(force / x->rate, &exponent);
   x->unit = force > 0.0 && isfinite(force / x->rate) ? ldexp(1.0, exponent) : 1.0;
-  for (int k = 0; k < ROT_SHAFT_SHIFTS; k++) {
+  for (int k = 0; rated && k < ROT_SHAFT_SHIFTS; k++) {
     const rot_status status = rot_shaft_modes_shift(s, SHIFT, k, &x->shifted[k]);
     if (status != ROT_OK) return status;
   }
@@ -232,38 +189,29 @@ rot_status rot_shaft_coupled_at(rot_shaft_coupled *x, rot_dd t, double p[], doub
     }
     return ROT_OK;
   }
-  if (x->small) {
-    rot_status status = move(x, s, 0, t, x->now);
-    /* They grow by no more than in proportion to the time, forwards. */
-    const int near = x->errors_s > 0.0 && t.hi >= x->errors_s && t.hi < 1.0625 * x->errors_s;
-    if (status == ROT_OK && !near) status = find_errors(x, t, x->error);
-    if (status != ROT_OK) return status;
-    if (!near) x->errors_s = t.hi;
-    for (size_t m = 0; m < 2 * n; m++) error[m] = 1.0625 * x->error[m];
-    for (size_t m = 0; m < n; m++) {
-      const double scale = m <= s->floppy ? x->rate : 1.0, weight = m ? 1.0 : s->root_inertia;
-      p[m] = x->now[m].hi / scale / weight;
-      r[m] = x->now[n + m].hi / weight;
-    }
-  } else {
-    const rot_status status = jump(s, &x->one, x->state, t, p, r);
-    if (status != ROT_OK) return status;
-    const double all = ROT_EPS * 4.0 * system_error(s, t.hi, p, r);
-    for (size_t m = 0; m < n; m++) {
-      error[m] = m ? all : all / s->root_inertia;
-      error[n + m] = all;
-    }
+  rot_status status = move(x, s, 0, t, x->now);
+  /* They grow by no more than in proportion to the time, forwards. */
+  const int near = x->errors_s > 0.0 && t.hi >= x->errors_s && t.hi < 1.0625 * x->errors_s;
+  if (status == ROT_OK && x->rated && !near) status = find_errors(x, t, x->error);
+  if (status != ROT_OK) return status;
+  if (!near) x->errors_s = t.hi;
+  for (size_t m = 0; m < 2 * n; m++) error[m] = 1.0625 * x->error[m];
+  for (size_t m = 0; m < n; m++) {
+    const double scale = m <= s->floppy ? x->rate : 1.0, weight = m ? 1.0 : s->root_inertia;
+    p[m] = x->now[m].hi / scale / weight;
+    r[m] = x->now[n + m].hi / weight;
   }
   if (s->mean_alone) error[0] = ROT_EPS * rot_shaft_roundings(s) * rot_shaft_mode_error(s, 0, t.hi);
   return ROT_OK;
 }
 
-/* Of few rotors the exponential is rounded from twice the precision, column by column. */
+/* The exponential is rounded from twice the precision, column by column. */
 rot_status rot_shaft_coupled_step(rot_shaft_coupled *x, double h, rot_shaft_stepper *y) {
   const size_t n = x->s->n, size = y->size, floppy = x->s->floppy;
   const double angle = 1.0 / (fabs(h) * x->rate);
-  rot_status status = rot_shaft_set_step(x->s, y, h);
-  for (size_t j = 0; x->small && j < size && status == ROT_OK; j++) {
+  rot_status status = ROT_OK;
+  fill_step(x->s, y, h);
+  for (size_t j = 0; j < size && status == ROT_OK; j++) {
     rot_propagator *p = &x->propagator[h < 0.0][0];
     for (size_t i = 0; i < size; i++) x->moved[i] = (rot_dd){i == j ? 1.0 : 0.0, 0.0};
     status = make_propagator(x, x->s, h < 0.0, p);
@@ -283,14 +231,13 @@ void rot_shaft_step_errors(const rot_shaft_coupled *x, const rot_shaft_stepper *
                            const double state[], double error[]) {
   const rot_shaft_modes *s = x->s;
   const size_t n = s->n, size = y->size;
-  const double phase = x->small ? 0.0 : s->norm * fabs(y->step);
   for (size_t m = s->mean_alone ? 1 : 0; m < n; m++) {
     double angle = 0.0, rate = 0.0;
     for (size_t j = 0; j < size; j++) {
       angle += fabs(y->e[m * size + j] * state[j]);
       rate += fabs(y->e[(n + m) * size + j] * state[j]);
     }
-    const double part = ROT_EPS * (2.0 * (double)n + phase) * (m ? 1.0 : 1.0 / s->root_inertia);
+    const double part = ROT_EPS * 2.0 * (double)n * (m ? 1.0 : 1.0 / s->root_inertia);
     if (m > s->floppy) rate = angle = hypot(angle, rate);
     error[m] += part * rate;
     error[n + m] += part * angle;

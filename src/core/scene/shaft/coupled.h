@@ -35,22 +35,22 @@ void rot_shaft_coupled_read(const rot_shaft_modes *s, const rot_shaft_stepper *y
 
 enum { ROT_SHAFT_SHIFTS = 2 };
 
-/* Modes at any time. Of few rotors in twice the precision: what is left is the rounding of the
- * modes and of the start, whose effect motions with moved inputs tell. */
+/* Modes at any time, in twice the precision: what is left is the rounding of the modes and of the
+ * start, whose effect motions with moved inputs tell. */
 typedef struct rot_shaft_coupled {
   const rot_shaft_modes *s;
-  int small;             /* 1: in twice the precision */
-  rot_shaft_stepper one; /* else: from the start */
-  double rate, unit;     /* scale of the angles of rigid-body modes, 1/s; value of the last place */
-  double *memory, *state;
+  int rated;         /* 1: with errors */
+  double rate, unit; /* scale of the angles of rigid-body modes, 1/s; value of the last place */
+  double *memory;
   rot_dd *now, *moved;
   double *error, errors_s; /* last errors found, and when */
   rot_shaft_modes shifted[ROT_SHAFT_SHIFTS];
   rot_propagator propagator[2][1 + ROT_SHAFT_SHIFTS]; /* forwards, backwards */
 } rot_shaft_coupled;
 
-/* modes => *x. Call rot_shaft_coupled_end() afterwards, also after a failure. */
-rot_status rot_shaft_coupled_begin(rot_shaft_coupled *x, const rot_shaft_modes *s);
+/* modes => *x; rated: 1 with errors, 0 with none (0). Call rot_shaft_coupled_end() afterwards, also
+ * after a failure. */
+rot_status rot_shaft_coupled_begin(rot_shaft_coupled *x, const rot_shaft_modes *s, int rated);
 /* t since the start => p and r (or q) of the modes, their errors: of r, then of p. */
 rot_status rot_shaft_coupled_at(rot_shaft_coupled *x, rot_dd t, double p[], double r[],
                                 double error[]);

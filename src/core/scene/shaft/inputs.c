@@ -92,8 +92,11 @@ const rot_column_of rot_shaft_all_columns[ROT_SHAFT_ALL_COLUMNS] = {
 
 /* ---- runs ------------------------------------------------------------------------------------ */
 
-/* 1 if evenly spaced rows may share an exponential: its error is within this accuracy. */
-static int may_reuse_exponentials(double accuracy) { return accuracy >= 1e-11; }
+/* Rows that share a step are exact to 1e-11. */
+static rot_shaft_care care_of(const rot_task *task) {
+  if (task->sizes_only) return ROT_SHAFT_SIZES;
+  return task->accuracy >= 1e-11 ? ROT_SHAFT_EVEN : ROT_SHAFT_EACH;
+}
 
 /* (shaft, task) => rows, flows, by the modes or the rigid body. */
 static rot_status run(int rigid, const void *scene, const rot_task *task, const rot_rows *rows,
@@ -102,9 +105,9 @@ static rot_status run(int rigid, const void *scene, const rot_task *task, const 
   double *const *column = (double *const *)rows->column;
   const rot_shaft_columns out = {column[THETA], column[OMEGA], column[SHAFT_TORQUE]};
   const size_t n = task->n;
-  const rot_status status = rigid ? rot_shaft_rigid(p, n, task->time_s, &out, hooks, info)
-                                  : rot_shaft_modal(p, may_reuse_exponentials(task->accuracy), n,
-                                                    task->time_s, &out, hooks, info);
+  const rot_status status =
+      rigid ? rot_shaft_rigid(p, n, task->time_s, &out, hooks, info)
+            : rot_shaft_modal(p, care_of(task), n, task->time_s, &out, hooks, info);
   for (size_t i = 0; i < info->rows_done * p->n; i++) {
     const double momentum = p->inertia_kg_m2[i % p->n] * out.omega_rad_per_s[i];
     column[MOMENTUM][i] = momentum;

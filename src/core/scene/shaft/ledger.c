@@ -92,16 +92,18 @@ static rot_status find_heat(const rot_shaft_modes *s, double from, double span, 
   return isfinite(ledger->dissipated_j) || status != ROT_OK ? status : ROT_ERANGE;
 }
 
-/* t => p and r (or q) of the modes, their errors. */
-static rot_status modes_at(const rot_shaft_modes *s, rot_dd t, double p[], double r[],
-                           double error[]) {
+/* Two times => p and r (or q) of the modes then, their errors. */
+static rot_status modes_at(const rot_shaft_modes *s, const rot_dd t[2], double *const p[2],
+                           double *const r[2], double *const error[2]) {
   if (s->decoupled) {
-    rot_shaft_decoupled_at(s, t, p, r, error);
+    for (int k = 0; k < 2; k++) rot_shaft_decoupled_at(s, t[k], p[k], r[k], error[k]);
     return ROT_OK;
   }
   rot_shaft_coupled x;
-  rot_status status = rot_shaft_coupled_begin(&x, s);
-  if (status == ROT_OK) status = rot_shaft_coupled_at(&x, t, p, r, error);
+  rot_status status = rot_shaft_coupled_begin(&x, s, 1);
+  for (int k = 0; k < 2 && status == ROT_OK; k++) {
+    status = rot_shaft_coupled_at(&x, t[k], p[k], r[k], error[k]);
+  }
   rot_shaft_coupled_end(&x);
   return status;
 }
@@ -116,8 +118,10 @@ static rot_status balance_of_modes(const rot_shaft_params *p, rot_dd begin, rot_
   rot_status status = memory ? rot_shaft_modes_build(&s, p, hooks) : ROT_ENOMEM;
   if (!memory) return status;
   double *p0 = memory, *r0 = p0 + n, *p1 = r0 + n, *r1 = p1 + n, *e0 = r1 + n, *e1 = e0 + 2 * n;
-  if (status == ROT_OK) status = modes_at(&s, begin, p0, r0, e0);
-  if (status == ROT_OK) status = modes_at(&s, finish, p1, r1, e1);
+  if (status == ROT_OK) {
+    status = modes_at(&s, (const rot_dd[2]){begin, finish}, (double *const[2]){p0, p1},
+                      (double *const[2]){r0, r1}, (double *const[2]){e0, e1});
+  }
   for (size_t i = 0; i < n && status == ROT_OK; i++) {
     const double tau = p->torque_n_m[i], twist = angle_of(&s, p1, i) - angle_of(&s, p0, i);
     double error = 8.0 * ROT_EPS * (fabs(p0[0]) + fabs(p1[0]));

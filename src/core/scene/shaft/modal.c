@@ -19,9 +19,9 @@ typedef struct modal_run {
   size_t rows;
   const rot_shaft_columns *out;
   rot_info *info;
-  double *p, *r;          /* n each: modes at the row */
-  double *error;          /* 2 n: of r, of p */
-  int fast;               /* 1: evenly spaced rows share an exponential */
+  double *p, *r; /* n each: modes at the row */
+  double *error; /* 2 n: of r, of p */
+  rot_shaft_care care;
   rot_shaft_coupled from; /* coupled modes: from the start to a row */
   rot_shaft_stepper grid; /* coupled modes: one step of an even grid */
   double *state;          /* 2 n + 1, of the coupled system */
@@ -155,7 +155,7 @@ static rot_status coupled_rows(void *model, size_t i, size_t last, size_t *end) 
   status = write_row(run, i, t);
   if (status != ROT_OK) return status;
   *end = i + 1;
-  if (run->fast && run->even_left <= 1) {
+  if (run->care == ROT_SHAFT_EVEN && run->even_left <= 1) {
     run->even_left = even_rows(s, run->rows, run->time_s, i);
     if (run->even_left > 1) {
       status = rot_shaft_coupled_step(&run->from, run->time_s[i + 1] - run->time_s[i], &run->grid);
@@ -184,8 +184,9 @@ static rot_status decoupled_rows(void *model, size_t i, size_t last, size_t *end
 }
 
 /* Builds the modes; rows by decoupled_rows() or coupled_rows(). */
-rot_status rot_shaft_modal(const rot_shaft_params *p, int fast, size_t n, const double time_s[],
-                           const rot_shaft_columns *out, const rot_hooks *hooks, rot_info *info) {
+rot_status rot_shaft_modal(const rot_shaft_params *p, rot_shaft_care care, size_t n,
+                           const double time_s[], const rot_shaft_columns *out,
+                           const rot_hooks *hooks, rot_info *info) {
   static const rot_stepping coupled = {.write_rows = coupled_rows};
   static const rot_stepping decoupled = {.write_rows = decoupled_rows};
   rot_shaft_modes s;
@@ -194,11 +195,11 @@ rot_status rot_shaft_modal(const rot_shaft_params *p, int fast, size_t n, const 
   if (info->status == ROT_OK) {
     const size_t room = s.decoupled ? 0 : rot_shaft_coupled_room(p->n);
     double *memory = malloc((room + 6 * p->n + 1) * sizeof *memory), *x = memory;
-    modal_run run = {.s = &s, .time_s = time_s, .rows = n, .out = out, .info = info, .fast = fast};
+    modal_run run = {.s = &s, .time_s = time_s, .rows = n, .out = out, .info = info, .care = care};
     if (memory) {
       if (!s.decoupled) {
         run.grid = rot_shaft_stepper_in(p->n, x);
-        info->status = rot_shaft_coupled_begin(&run.from, &s);
+        info->status = rot_shaft_coupled_begin(&run.from, &s, care != ROT_SHAFT_SIZES);
       }
       run.p = x += room;
       run.r = x += p->n;

@@ -287,7 +287,8 @@ static void check_case(const shaft_case *x) {
     for (size_t i = 0; i < rows; i++) time[i] = x->t * (double)(i + 1) / (double)rows;
     time[rows - 1] = x->t;
     rot_info info;
-    ROT_CHECK_EQ_INT(rot_shaft_modal(&p, pass, rows, time, &out, NULL, &info), ROT_OK);
+    ROT_CHECK_EQ_INT(rot_shaft_modal(&p, (rot_shaft_care)pass, rows, time, &out, NULL, &info),
+                     ROT_OK);
     ROT_CHECK_EQ_INT((long long)info.rows_done, (long long)rows);
     const double slack = 1e-300;
     double theta_off = 0.0, omega_off = 0.0;
@@ -382,7 +383,7 @@ static void check_shared_table(void) {
     const rot_shaft_params p = {n, J, k, c, zero, zero, zero, omega0, 0.0};
     const rot_shaft_columns out = {theta, omega, torque};
     rot_info info;
-    ROT_CHECK_EQ_INT(rot_shaft_modal(&p, 0, 1, &head[3], &out, NULL, &info), ROT_OK);
+    ROT_CHECK_EQ_INT(rot_shaft_modal(&p, ROT_SHAFT_EACH, 1, &head[3], &out, NULL, &info), ROT_OK);
     for (size_t i = 0; i < n; i++) {
       ROT_CHECK(fabs(theta[i] - dtheta[i]) <= fmin(2e-15, info.measure[ROT_THETA].error));
       ROT_CHECK(fabs(omega[i] - want[i]) <= info.measure[ROT_OMEGA].error);
@@ -442,7 +443,7 @@ static void check_balances(void) {
   const rot_shaft_columns out = {theta, omega, torque};
   rot_info info;
   rot_shaft_ledger ledger;
-  ROT_CHECK_EQ_INT(rot_shaft_modal(&p, 1, ROWS, time, &out, NULL, &info), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_shaft_modal(&p, ROT_SHAFT_EVEN, ROWS, time, &out, NULL, &info), ROT_OK);
   ROT_CHECK_EQ_INT(rot_shaft_balance(&p, 0, 0.0, time[ROWS - 1], NULL, &ledger), ROT_OK);
   double momentum = 0.0, energy = 0.0, size = 0.0;
   const double *last = omega + (ROWS - 1) * N, *turned = theta + (ROWS - 1) * N;
@@ -478,7 +479,7 @@ static void check_elastic(void) {
     flow[i] = flows[i];
     if (strstr(rot_shaft_flow_names[i], "elastic")) elastic = i;
   }
-  ROT_CHECK_EQ_INT(rot_shaft_modal(&p, 0, 2, time, &out, NULL, &info), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_shaft_modal(&p, ROT_SHAFT_EACH, 2, time, &out, NULL, &info), ROT_OK);
   ROT_CHECK_EQ_INT(rot_shaft_flow(&p, 0, 2, time, &out, &info, flow, off, NULL), ROT_OK);
   ROT_CHECK(fabs(flows[elastic][1] + 0.5) <= off[elastic]);
   ROT_CHECK(off[elastic] <= 400.0 * ROT_EPS * 0.5);
@@ -493,11 +494,11 @@ static void check_backwards(void) {
   rot_info info;
   rot_shaft_params p = {3, J, k, zero, zero, tau, theta0, omega0, 0.0};
   rot_shaft_columns out = {theta, omega, torque};
-  ROT_CHECK_EQ_INT(rot_shaft_modal(&p, 0, 1, &t, &out, NULL, &info), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_shaft_modal(&p, ROT_SHAFT_EACH, 1, &t, &out, NULL, &info), ROT_OK);
   p.theta0_rad = theta;
   p.omega0_rad_per_s = omega;
   out = (rot_shaft_columns){again, rate, torque};
-  ROT_CHECK_EQ_INT(rot_shaft_modal(&p, 0, 1, &back, &out, NULL, &info), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_shaft_modal(&p, ROT_SHAFT_EACH, 1, &back, &out, NULL, &info), ROT_OK);
   for (int i = 0; i < 3; i++) {
     ROT_CHECK(fabs(again[i] - theta0[i]) <= 1e-13);
     ROT_CHECK(fabs(rate[i] - omega0[i]) <= 1e-12);
@@ -508,12 +509,12 @@ static void check_backwards(void) {
   out = (rot_shaft_columns){early, fast, torque};
   t = -1.0;
   back = 1.0;
-  ROT_CHECK_EQ_INT(rot_shaft_modal(&p, 0, 1, &t, &out, NULL, &info), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_shaft_modal(&p, ROT_SHAFT_EACH, 1, &t, &out, NULL, &info), ROT_OK);
   ROT_CHECK(fabs(early[0] - theta0[0]) > 0.1);
   p.theta0_rad = early;
   p.omega0_rad_per_s = fast;
   out = (rot_shaft_columns){again, rate, torque};
-  ROT_CHECK_EQ_INT(rot_shaft_modal(&p, 0, 1, &back, &out, NULL, &info), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_shaft_modal(&p, ROT_SHAFT_EACH, 1, &back, &out, NULL, &info), ROT_OK);
   for (int i = 0; i < 3; i++) {
     ROT_CHECK(fabs(again[i] - theta0[i]) <= 1e-12);
     ROT_CHECK(fabs(rate[i] - omega0[i]) <= 1e-11);
@@ -532,7 +533,8 @@ static void check_uneven_rows(void) {
   for (int i = 0; i < ROWS; i++) time[i] = 3.7 + 0.1 * i + 1e-10 * sin(7.0 * i);
   for (int fast = 0; fast < 2; fast++) {
     const rot_shaft_columns out = {theta[fast], omega[fast], torque};
-    ROT_CHECK_EQ_INT(rot_shaft_modal(&p, fast, ROWS, time, &out, NULL, &info[fast]), ROT_OK);
+    ROT_CHECK_EQ_INT(rot_shaft_modal(&p, (rot_shaft_care)fast, ROWS, time, &out, NULL, &info[fast]),
+                     ROT_OK);
   }
   ROT_CHECK(info[1].steps < ROWS / 2 && info[0].steps == ROWS);
   /* An acceleration of 100 rad/s^2 for 1e-10 s would be 1e-8. */
@@ -593,7 +595,8 @@ static void check_stiff(void) {
     double theta[3], omega[3], torque[3];
     const rot_shaft_columns out = {theta, omega, torque};
     rot_info info;
-    ROT_CHECK_EQ_INT(rot_shaft_modal(&p, 1, 1, &stiff[i].t, &out, NULL, &info), ROT_OK);
+    ROT_CHECK_EQ_INT(rot_shaft_modal(&p, ROT_SHAFT_EVEN, 1, &stiff[i].t, &out, NULL, &info),
+                     ROT_OK);
     const double *error = (double[]){info.measure[ROT_THETA].error, info.measure[ROT_OMEGA].error};
     for (int j = 0; j < 3; j++) {
       ROT_CHECK(fabs(theta[j] - stiff[i].theta[j]) <= error[0]);
@@ -622,7 +625,7 @@ static void check_ends(void) {
   const rot_shaft_params p = {1, &J, NULL, NULL, &d, &tau, &theta0, &omega0, 2.0};
   const rot_shaft_columns out = {&theta, &omega, &torque};
   rot_info info;
-  ROT_CHECK_EQ_INT(rot_shaft_modal(&p, 0, 1, &t, &out, NULL, &info), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_shaft_modal(&p, ROT_SHAFT_EACH, 1, &t, &out, NULL, &info), ROT_OK);
   /* d/J = 1/4, 4 s on: 6 - 10 exp(-1); 1 + 24 - 40 (1 - exp(-1)) */
   ROT_CHECK_ULP(omega, 6.0 - 10.0 * exp(-1.0), 4);
   ROT_CHECK_ULP(theta, 25.0 + 40.0 * expm1(-1.0), 30);
@@ -631,7 +634,7 @@ static void check_ends(void) {
   ROT_CHECK(info.measure[ROT_OMEGA].error < 1e-13);
   J = 1e-300;
   tau = 1e300;
-  ROT_CHECK_EQ_INT(rot_shaft_modal(&p, 0, 1, &t, &out, NULL, &info), ROT_ERANGE);
+  ROT_CHECK_EQ_INT(rot_shaft_modal(&p, ROT_SHAFT_EACH, 1, &t, &out, NULL, &info), ROT_ERANGE);
   ROT_CHECK_EQ_INT((long long)info.rows_done, 0);
 }
 
@@ -654,7 +657,7 @@ static void check_rigid(void) {
     const rot_shaft_params p = {3, J, k, c, drag[i / 4], tau, zero, start[i / 2 % 2], 0.0};
     const rot_shaft_columns exact = {a, b, s}, rigid = {x, y, s};
     rot_info info, bound;
-    ROT_CHECK_EQ_INT(rot_shaft_modal(&p, 0, ROWS, time, &exact, NULL, &info), ROT_OK);
+    ROT_CHECK_EQ_INT(rot_shaft_modal(&p, ROT_SHAFT_EACH, ROWS, time, &exact, NULL, &info), ROT_OK);
     ROT_CHECK_EQ_INT(rot_shaft_rigid(&p, ROWS, time, &rigid, NULL, &bound), ROT_OK);
     double theta_off = 0.0, omega_off = 0.0;
     for (int j = 0; j < ROWS * 3; j++) {
@@ -693,25 +696,29 @@ static void check_allowances(void) {
   for (int i = 0; i < ROWS; i++) time[i] = 0.125 * (i + 1);
   rot_info info;
   const rot_shaft_params turned = {2, J, &k, &c, same, none, far, slow, 0.0};
-  ROT_CHECK_EQ_INT(rot_shaft_modal(&turned, 1, 1, time, &out, NULL, &info), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_shaft_modal(&turned, ROT_SHAFT_EVEN, 1, time, &out, NULL, &info), ROT_OK);
   const double angle = info.measure[ROT_THETA].error / (ROT_EPS * 1e3);
   ROT_CHECK(angle >= 4.0 && angle <= 5.0);
   double own[2] = {0.25, 0.0}, start[2] = {1.0, -1.0};
   const rot_shaft_params coupled = {2, J, &k, &c, own, none, none, start, 0.0};
-  ROT_CHECK_EQ_INT(rot_shaft_modal(&coupled, 0, ROWS, time, &out, NULL, &info), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_shaft_modal(&coupled, ROT_SHAFT_EACH, ROWS, time, &out, NULL, &info),
+                   ROT_OK);
   const double alone = info.measure[ROT_OMEGA].error;
-  ROT_CHECK_EQ_INT(rot_shaft_modal(&coupled, 1, ROWS, time, &out, NULL, &info), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_shaft_modal(&coupled, ROT_SHAFT_EVEN, ROWS, time, &out, NULL, &info),
+                   ROT_OK);
   const double steps = (info.measure[ROT_OMEGA].error - alone) / (ROT_EPS * 4.0 * ROWS);
   ROT_CHECK(steps >= 0.9 && steps <= 1.5);
   /* Errors of uneven rows grow with the rate: those of one row are not those of a later one. */
   double stiff = 1e6, faint[2] = {1e-6, 0.0}, push[2] = {1.0, 0.0};
   const rot_shaft_params ringing = {2, J, &stiff, none, faint, push, none, start, 0.0};
   for (int i = 0; i < ROWS; i++) time[i] = ldexp(1.0 + 0.01 * i, i / 8 - 1);
-  ROT_CHECK_EQ_INT(rot_shaft_modal(&ringing, 0, 1, time, &out, NULL, &info), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_shaft_modal(&ringing, ROT_SHAFT_EACH, 1, time, &out, NULL, &info), ROT_OK);
   const double first = info.measure[ROT_OMEGA].error;
-  ROT_CHECK_EQ_INT(rot_shaft_modal(&ringing, 0, 1, time + ROWS - 1, &out, NULL, &info), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_shaft_modal(&ringing, ROT_SHAFT_EACH, 1, time + ROWS - 1, &out, NULL, &info),
+                   ROT_OK);
   const double last = info.measure[ROT_OMEGA].error;
-  ROT_CHECK_EQ_INT(rot_shaft_modal(&ringing, 0, ROWS, time, &out, NULL, &info), ROT_OK);
+  ROT_CHECK_EQ_INT(rot_shaft_modal(&ringing, ROT_SHAFT_EACH, ROWS, time, &out, NULL, &info),
+                   ROT_OK);
   ROT_CHECK(last > 4.0 * first && info.measure[ROT_OMEGA].error >= last / 1.07);
 }
 
@@ -730,7 +737,8 @@ static void check_stop(void) {
   const rot_hooks hooks = {stop, NULL};
   rot_info info;
   for (int i = 0; i < ROWS; i++) time[i] = i;
-  ROT_CHECK_EQ_INT(rot_shaft_modal(&p, 1, ROWS, time, &out, &hooks, &info), ROT_EUNWIND);
+  ROT_CHECK_EQ_INT(rot_shaft_modal(&p, ROT_SHAFT_EVEN, ROWS, time, &out, &hooks, &info),
+                   ROT_EUNWIND);
   ROT_CHECK(info.rows_done > 0 && info.rows_done < ROWS);
 }
 
