@@ -11,7 +11,9 @@ void *few_step_alloc(size_t dim);
 int few_step_apply(void *step, double t, double h, double y[], double yerr[], const double in[],
                    double out[], int (*f)(double t, const double y[], double dydt[], void *params),
                    void *params);
+void few_step_free(void *step);
 void *few_table_alloc(size_t n);
+void few_table_free(void *table);
 void few_point(size_t i, double *x, double *w, const void *table);
 
 static int failed;
@@ -65,6 +67,8 @@ static void steps(void) {
                         differs(out[0][i], out[1][i]));
     }
   }
+  few_step_free(few);
+  gsl_odeiv2_step_free(ours);
   check("10000 random steps: state, error and slope", wrong, n);
 }
 
@@ -83,6 +87,8 @@ static void nodes(void) {
       if (bad) printf("# %zu, %zu: %a %a, %a %a\n", order, i, x[0], x[1], w[0], w[1]);
       wrong += (size_t)bad;
     }
+    few_table_free(few);
+    gsl_integration_glfixed_table_free(ours);
   }
   check("nodes and weights up to order 20", wrong, n);
 }

@@ -13,7 +13,9 @@ void *few_step_alloc(size_t dim);
 int few_step_apply(void *step, double t, double h, double y[], double yerr[], const double in[],
                    double out[], int (*f)(double t, const double y[], double dydt[], void *params),
                    void *params);
+void few_step_free(void *step);
 void *few_table_alloc(size_t n);
+void few_table_free(void *table);
 void few_point(size_t i, double *x, double *w, const void *table);
 
 void *few_step_alloc(size_t dim) { return few_alloc(few_rk8pd, dim); }
@@ -26,7 +28,11 @@ int few_step_apply(void *step, double t, double h, double y[], double yerr[], co
   return few_apply(step, t, h, y, yerr, in, out, &system);
 }
 
+void few_step_free(void *step) { few_free(step); }
+
 void *few_table_alloc(size_t n) { return few_gl_alloc(n); }
+
+void few_table_free(void *table) { few_gl_free(table); }
 
 void few_point(size_t i, double *x, double *w, const void *table) {
   (void)few_gl_point(-1.0, 1.0, i, x, w, table);
