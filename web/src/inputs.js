@@ -14,7 +14,9 @@ const rangeOf = (input, value) => {
   const span = { rad: Math.PI, "rad/s": 10, "N*m": 1, kg: 1, m: 1 }[input.unit] ?? 1;
   const bounded = (x) => Number.isFinite(x) && Math.abs(x) < 1e300;
   let low = bounded(input.low) ? input.low : null, high = bounded(input.high) ? input.high : null;
-  const size = value && Number.isFinite(value) ? roundUp(2 * Math.abs(value)) : span;
+  // 250 steps of either sign are doubles, too.
+  const size = value && Number.isFinite(value) ?
+    Math.min(Math.max(roundUp(2 * Math.min(Math.abs(value), 1e307)), 1e-300), 1e307) : span;
   high ??= size;
   low ??= -size;
   const step = roundUp((high - low) / 250);

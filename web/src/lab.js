@@ -8,11 +8,10 @@ import { Look } from "./look.js";
 import { Numbers, shownUnits, splitName, unitText } from "./numbers.js";
 import { inSpace, paint, pictures } from "./draw.js";
 import { Plot } from "./plot.js";
+import { defaults, endFrom, settingsFrom, startFrom } from "./settings.js";
 import { csvOf, readCsv, valueAt } from "./table.js";
 import { Words } from "./words.js";
 
-const defaults = { end: 10, rows: 401, accuracy: 1e-9, steps: 5e4 };
-const limits = { rows: [2, 4001], accuracy: [1e-14, 1e-2] };
 // Faster turns are not followed by the eye, and may not flash.
 const fastestTurn = 2 * Math.PI * 3;
 const idleMs = 500;
@@ -76,12 +75,7 @@ class Lab extends HTMLElement {
     try {
       settings = JSON.parse(this.getAttribute("settings") || "{}") ?? {};
     } catch { /* as without settings */ }
-    this.settings = { ...defaults, ...settings };
-    for (const [name, [low, high]] of Object.entries(limits)) {
-      const value = Number(this.settings[name]);
-      this.settings[name] = value >= low && value <= high ? value : defaults[name];
-    }
-    this.settings.rows = Math.round(this.settings.rows);
+    this.settings = settingsFrom(settings);
     this.recording = this.settings.recording ?? null;
     if (!this.recording) {
       try {
@@ -119,14 +113,12 @@ class Lab extends HTMLElement {
         return;
       }
       this.about = said;
-      const start = Number(this.settings.start ?? said.start_s);
-      this.start = Number.isFinite(start) ? start : said.start_s;
+      this.start = startFrom(this.settings, said.start_s);
     } else {
       this.about = this.recording.said;
       this.start = this.recording.time[0];
     }
-    const end = Number(now.end ?? this.settings.end);
-    this.end = Number.isFinite(end) && end > this.start ? end : this.start + defaults.end;
+    this.end = endFrom(now.end ?? this.settings.end, this.start);
     this.tree = now.tree ?? tree;
     if (!this.recording) this.controls = this.findControls();
     this.t = now.t ?? this.start;

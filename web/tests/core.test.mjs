@@ -6,6 +6,9 @@ import { execFileSync } from "node:child_process";
 import { readFileSync, readdirSync } from "node:fs";
 import { after, test } from "node:test";
 import { Engine } from "../src/engine.js";
+import { controlsOf, sceneOf } from "../src/inputs.js";
+import { linkOf, stateOf } from "../src/link.js";
+import { endFrom, settingsFrom, startFrom } from "../src/settings.js";
 import { Words } from "../src/words.js";
 import { openNative } from "./native.mjs";
 import { constructors, generator, mutated, randomScene } from "./random.mjs";
@@ -206,6 +209,46 @@ test("damaged texts end in a scene or in a refusal with a reason", async (t) => 
   t.diagnostic(JSON.stringify(seen));
   assert.equal(seen.traps, 0);
   assert.ok(seen.scenes > 0 && seen.refused > seen.scenes);
+});
+
+// As the page reads a link, by its own parts, up to the controls; one of 20 is run.
+test("damaged links end in a motion or in a refusal", (t) => {
+  const r = generator(Number(SEED) + 3000);
+  const seen = { none: 0, refused: 0, scenes: 0, run: 0, ended: 0 };
+  for (let k = 0; k < Number(MUTANTS); k++) {
+    const damaged = (text) => k % 3 ? text : mutated(r, text);
+    const whole = linkOf("", { scene: damaged(JSON.stringify(randomScene(r, r.of(constructors)))),
+      title: "a <b>", start: k % 2 ? null : "0", end: damaged("5"), rows: damaged("41"),
+      accuracy: damaged("1e-6") }) ?? "#lab=1";
+    const link = k % 3 ? mutated(r, whole) : whole;
+    const { state, refused } = stateOf(link);
+    if (refused) { seen.refused++; continue; }
+    if (!state) { seen.none++; continue; }
+    const said = engine.read(state.scene);
+    assert.notEqual(said.status, 12, link);
+    if (said.status !== 0) {
+      assert.ok(said.reason.length > 3, link);
+      seen.refused++;
+      continue;
+    }
+    seen.scenes++;
+    const tree = JSON.parse(state.scene), settings = settingsFrom(state);
+    const start = startFrom(settings, said.start_s), end = endFrom(settings.end, start);
+    assert.ok(end > start && settings.rows >= 2 && settings.accuracy >= 1e-14, link);
+    assert.ok(sceneOf(tree)[0] in engine.catalogue, link);
+    for (const one of controlsOf(tree, engine.catalogue)) {
+      assert.ok(one.low < one.high && Number.isFinite(one.step), `${link} ${one.name}`);
+    }
+    if (k % 20) continue;
+    const { report, columns } = engine.run(JSON.stringify(tree),
+      { start, end, rows: settings.rows, accuracy: settings.accuracy, steps: 2000 });
+    assert.notEqual(report.status, 12, link);
+    seen.run++;
+    if (columns) seen.ended++;
+    else assert.ok(report.status_text.length > 3, link);
+  }
+  t.diagnostic(JSON.stringify(seen));
+  assert.ok(seen.none && seen.refused && seen.ended > 0.5 * seen.run, JSON.stringify(seen));
 });
 
 test("a refusal names the input", () => {
