@@ -49,6 +49,7 @@ lab: ## the page of the lab, inst/lab, from web/ and the core
 	@sh tools/lab.sh
 
 site: ## the site of the package in site/, with the lab: pkgdown, offline
+	@sh tools/setup.sh site
 	@sh tools/install.sh --no-build-vignettes
 	@sh tools/site.sh
 

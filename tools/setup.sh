@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs what a verb of the Makefile needs and this machine does not have.
 #
-#   tools/setup.sh demo|test|bench|coverage|document|valgrind|manual|format|architectures|lab
+#   tools/setup.sh demo|test|bench|coverage|document|site|valgrind|manual|format|architectures|lab
 #
 # System packages come from apt-get, if it exists and the user is root; otherwise the script prints
 # the command to type. R packages come as Debian's r-cran-* where R uses Debian's library, and from
@@ -71,7 +71,7 @@ need() {
 
 system_needs() {
   essential="" optional="" apt_list="" dnf_list="" brew_list=""
-  case $group in demo | test | bench | coverage | document | valgrind | manual)
+  case $group in demo | test | bench | coverage | document | site | valgrind | manual)
     need essential has_r "R" "r-base-core r-base-dev" "R-core-devel" r
     need essential has_compiler "a C compiler and make" build-essential "gcc make" -
     need essential has_gsl "GNU GSL" libgsl-dev gsl-devel gsl
@@ -86,6 +86,10 @@ system_needs() {
       need optional clang clang clang clang llvm
       need optional clang-format clang-format clang-format clang-tools-extra clang-format
       need optional has_clang_sanitizer "clang's sanitizers" "$(clang_rt)" compiler-rt -
+      ;;
+    site)
+      need essential pandoc pandoc pandoc pandoc pandoc
+      need essential npm npm npm npm node
       ;;
     bench) need optional has_scipy "Python's scipy" python3-scipy python3-scipy scipy ;;
     valgrind) need essential valgrind valgrind valgrind valgrind valgrind ;;
@@ -182,7 +186,8 @@ from_cran() {
 # ---- go -------------------------------------------------------------------------------------
 
 case $group in
-  demo | test | bench | coverage | document | valgrind | manual | format | architectures | lab) ;;
+  demo | test | bench | coverage | document | site | valgrind | manual | format) ;;
+  architectures | lab) ;;
   *) sed -n '2,4s/^# *//p' "$0"; exit 2 ;;
 esac
 
@@ -217,6 +222,7 @@ case $group in
   test | bench) must="$must testthat"; may=$(ask_r suggests) ;;
   # roxygen2 loads the package from its sources; pkgbuild compiles them.
   document) must="$must roxygen2 pkgbuild" ;;
+  site) must="$must pkgdown"; may=$(ask_r lessons) ;;
 esac
 
 # shellcheck disable=SC2086
