@@ -39,8 +39,8 @@ typedef struct work {
 enum { MAX_THREADS = 64, QUICK_PARTS = 128 };
 
 /* Threads take whole blocks, design and sums with them, if there are enough and each is quick: only
- * the calling thread polls, between two blocks. Else they share the rows of one. One block at a time
- * for each: two of 5 MB for each leave the caches, and two threads were 1.7 times one, not 1.8. */
+ * the calling thread polls, between two blocks. Else they share the rows of one. Each has one block
+ * at a time: two of 5 MB leave the caches, and two threads were 1.7 times one, not 1.8. */
 static void divide_threads(work *w, uint64_t rows) {
   const rot_chunk_plan *plan = w->plan;
   const size_t part = plan->sweep->part ? plan->sweep->part : 256;
