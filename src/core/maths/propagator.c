@@ -42,14 +42,25 @@ static void add_row(size_t n, rot_dd row[], rot_dd x, const rot_dd other[]) {
   for (size_t j = 0; j < n; j++) row[j] = rot_dd_add(row[j], rot_dd_mul(x, other[j]));
 }
 
-/* c = a b; blocks of zeros remain exactly zero */
-static void multiply(size_t n, const rot_dd a[], const rot_dd b[], rot_dd c[]) {
+/* A row of a product of this size takes 0.1 ms: worth a poll. */
+enum { LARGE = 128 };
+
+static rot_status poll_if_large(const rot_propagator *p) {
+  return p->n < LARGE ? ROT_OK : rot_poll(p->hooks, 0.0);
+}
+
+/* c = a a; blocks of zeros remain exactly zero */
+static rot_status square_of(const rot_propagator *p, const rot_dd a[], rot_dd c[]) {
+  const size_t n = p->n;
+  rot_status status = ROT_OK;
   for (size_t i = 0; i < n * n; i++) c[i] = (rot_dd){0.0, 0.0};
-  for (size_t i = 0; i < n; i++) {
+  for (size_t i = 0; i < n && status == ROT_OK; i++) {
     for (size_t k = 0; k < n; k++) {
-      if (a[i * n + k].hi != 0.0) add_row(n, c + i * n, a[i * n + k], b + k * n);
+      if (a[i * n + k].hi != 0.0) add_row(n, c + i * n, a[i * n + k], a + k * n);
     }
+    status = poll_if_large(p);
   }
+  return status;
 }
 
 rot_status rot_propagator_begin(rot_propagator *x, size_t n, const rot_dd a[],
@@ -106,9 +117,10 @@ static rot_status first_power(const rot_propagator *p, rot_dd e[]) {
   for (size_t i = 0; i < square; i++) {
     e[i] = term[i] = (rot_dd){i % (n + 1) == 0 ? 1.0 : 0.0, 0.0};
   }
-  for (int k = 1; k <= TERMS; k++) {
+  rot_status status = ROT_OK;
+  for (int k = 1; k <= TERMS && status == ROT_OK; k++) {
     const rot_dd factor = rot_dd_div((rot_dd){1.0, 0.0}, (rot_dd){(double)k, 0.0});
-    for (size_t i = 0; i < n; i++) {
+    for (size_t i = 0; i < n && status == ROT_OK; i++) {
       const size_t count = entries(p, i, &places);
       rot_dd *row = next + i * n;
       for (size_t j = 0; j < n; j++) row[j] = (rot_dd){0.0, 0.0};
@@ -116,13 +128,14 @@ static rot_status first_power(const rot_propagator *p, rot_dd e[]) {
         add_row(n, row, rot_dd_mul(p->a[i * n + places[j]], factor), term + places[j] * n);
       }
       for (size_t j = 0; j < n; j++) e[i * n + j] = rot_dd_add(e[i * n + j], row[j]);
+      status = poll_if_large(p);
     }
     rot_dd *keep = term;
     term = next;
     next = keep;
   }
   free(memory);
-  return ROT_OK;
+  return status;
 }
 
 /* One more power: the first, or the square of the last. */
@@ -136,9 +149,8 @@ static rot_status add_power(rot_propagator *p) {
     p->room = room;
   }
   rot_dd *to = p->power + p->levels * square;
-  const rot_status status = p->levels == 0 ? first_power(p, to) : ROT_OK;
+  const rot_status status = p->levels == 0 ? first_power(p, to) : square_of(p, to - square, to);
   if (status != ROT_OK) return status;
-  if (p->levels > 0) multiply(n, to - square, to - square, to);
   p->levels++;
   return rot_poll(p->hooks, 0.0);
 }
