@@ -189,9 +189,9 @@ function drawSpace(look, row) {
   }
   sides.sort((a, b) => a.depth - b.depth);
   const marks = [];
-  const floor = hangs ? -1.7 : -1.6;
+  const floor = hangs ? -1.7 : -1.6, ring = hangs ? 0.8 : 1;
   marks.push(line(Array.from({ length: 65 }, (_, k) =>
-    see([1.2 * Math.cos(k * Math.PI / 32), 1.2 * Math.sin(k * Math.PI / 32), floor])), "thin"));
+    see([ring * Math.cos(k * Math.PI / 32), ring * Math.sin(k * Math.PI / 32), floor])), "thin"));
   if (hangs) {
     marks.push(line([see([0, 0, floor]), see([0, 0, 0])], "shaft"));
     marks.push(line([see([0, 0, 0]), see(toSpace(away))], "marked"));
