@@ -214,33 +214,50 @@ version=$(sed -n 's/^Version: //p' DESCRIPTION)
 sh tools/objects.sh | diff src/Makevars.objects - |
   rule "src/Makevars.objects lists the files of src/ (make objects)"
 
-# A file of the exact name, or a line of tests/topics.txt.
+# of_topics PROGRAM: awk on the lines of tests/topics.txt, with the files of the project in `there`
+# and core_test(): the file of a test of src/core by its path. One process, not some for each file.
 topics=tests/topics.txt
-{
-  files '^src/core/.*\.c$' | while read -r file; do
-    test=tests/core/$(echo "${file#src/core/}" | sed 's|\([^/]*\)$|test_\1|')
-    grep -qx "$test" "$work/files" || grep -q "^$file [a-z+]" $topics || echo "$file"
-  done
-  files '^R/.*\.R$' | while read -r file; do
-    grep -qx "tests/testthat/test-${file#R/}" "$work/files" || grep -q "^$file [a-z]" $topics ||
-      echo "$file"
-  done
-  files '^src/glue/.*\.c$' | while read -r file; do
-    grep -q "^$file [a-z]" $topics || echo "$file"
-  done
-} | rule "every file of src/core, of src/glue and of R/ has a file of tests"
-grep -v '^#' $topics | while read -r file tests; do
-  test -n "$file" || continue
-  grep -qx "$file" "$work/files" || echo "$topics: there is no $file"
-  folder=tests/testthat/test- end=.R
-  case $file in src/core/*) core=yes ;; *) core= ;; esac
-  for test in $tests; do
-    if test "$test" = +; then core=; continue; fi
-    name=tests/testthat/test-$test.R
-    test -z "$core" || name=tests/core/$(echo "$test" | sed 's|\([^/]*\)$|test_\1|').c
-    grep -qx "$name" "$work/files" || echo "$topics: $file: there is no $name"
-  done
-done | rule "tests/topics.txt names files that exist"
+of_topics() {
+  awk -v topics=$topics '
+    function core_test(path) {
+      match(path, /[^\/]*$/)
+      return "tests/core/" substr(path, 1, RSTART - 1) "test_" substr(path, RSTART) ".c"
+    }
+    FNR == NR { there[$0] = 1; next }
+    /^#/ || !NF { next }
+    '"$1" "$work/files" $topics
+}
+
+# A file of the exact name, or a line of tests/topics.txt.
+# shellcheck disable=SC2016
+of_topics '
+    { first[$1] = $2 }
+    END {
+      for (file in there) {
+        stem = file
+        if (file ~ /^src\/core\/.*\.c$/) {
+          gsub(/^src\/core\/|\.c$/, "", stem)
+          if (core_test(stem) in there || first[file] ~ /^[a-z+]/) continue
+        } else if (file ~ /^R\/.*\.R$/) {
+          sub(/^R\//, "", stem)
+          if (("tests/testthat/test-" stem) in there || first[file] ~ /^[a-z]/) continue
+        } else if (file !~ /^src\/glue\/.*\.c$/ || first[file] ~ /^[a-z]/) {
+          continue
+        }
+        print file
+      }
+    }' | sort | rule "every file of src/core, of src/glue and of R/ has a file of tests"
+# shellcheck disable=SC2016
+of_topics '
+    {
+      if (!($1 in there)) print topics ": there is no " $1
+      core = $1 ~ /^src\/core\//
+      for (i = 2; i <= NF; i++) {
+        if ($i == "+") { core = 0; continue }
+        test = core ? core_test($i) : "tests/testthat/test-" $i ".R"
+        if (!(test in there)) print topics ": " $1 ": there is no " test
+      }
+    }' | rule "tests/topics.txt names files that exist"
 
 # ---- registration ----------------------------------------------------------------------------
 

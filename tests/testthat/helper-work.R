@@ -1,8 +1,9 @@
-# The processor time of `expr` in units of a fixed piece of work (20 ms where this was written),
+# The processor time of `expr` in units of a fixed piece of work (20 to 50 ms on one machine),
 # measured before it and after it, so that a slow or busy machine slows both; the best of three
 # attempts is to be `limit` units or fewer. Gives the value of `expr`.
 expect_soon <- function(expr, limit) {
   quo <- rlang::enquo(expr)
+  value <- NULL
   processor_s <- function(run) {
     start <- proc.time()
     run()

@@ -10,8 +10,8 @@ typedef enum rot_shaft_care { ROT_SHAFT_EACH, ROT_SHAFT_EVEN, ROT_SHAFT_SIZES } 
 
 /* (shaft, times) => rows, for any stiffness. Without damping, or with c_i = a k_i and d_i = b J_i,
  * each mode has a closed form; otherwise the exponential of the system in energy-scaled modal
- * coordinates. The errors in *info are estimates:
- * rounding times the accumulated phase, plus the residual of the momentum balance. */
+ * coordinates. The errors in *info are estimates: rounding times the accumulated phase, plus the
+ * residual of the momentum balance. */
 rot_status rot_shaft_modal(const rot_shaft_params *p, rot_shaft_care care, size_t n,
                            const double time_s[], const rot_shaft_columns *out,
                            const rot_hooks *hooks, rot_info *info);
