@@ -59,8 +59,7 @@ size_t rot_input_arguments(const rot_input *input, size_t size[ROT_MAX_LAW_ARGUM
 
 size_t rot_input_values(const rot_input *input) { return input->kinds & ROT_INPUT_VECTOR ? 3 : 1; }
 
-/* The input that is the default of this one, and the most it may be; this one: none. */
-static size_t max_of(const rot_input inputs[], size_t input) {
+size_t rot_input_max(const rot_input inputs[], size_t input) {
   const int one = (inputs[input].kinds & (ROT_INPUT_NUMBER | ROT_INPUT_LIMIT)) != 0;
   return one && inputs[input].options ? rot_input_named(input, inputs, inputs[input].options[0])
                                       : input;
@@ -68,7 +67,7 @@ static size_t max_of(const rot_input inputs[], size_t input) {
 
 double rot_input_number(const rot_input inputs[], const rot_given given[], size_t input) {
   if (given[input].x) return given[input].x[0];
-  const size_t max = max_of(inputs, input);
+  const size_t max = rot_input_max(inputs, input);
   return max < input ? rot_input_number(inputs, given, max) : inputs[input].otherwise;
 }
 
@@ -217,22 +216,28 @@ static rot_status check_given(const rot_input *input, size_t at, const rot_given
   }
 }
 
+rot_status rot_input_check(size_t input, const rot_input inputs[], const rot_given given[],
+                           rot_refusal *refusal) {
+  const rot_given *own = &given[input];
+  if (!own->is) {
+    return inputs[input].required ? rot_refuse(refusal, input, "is missing: it has no default")
+                                  : ROT_OK;
+  }
+  const rot_status status = check_given(&inputs[input], input, own, refusal);
+  if (status != ROT_OK || own->n != 1) return status;
+  const size_t max = rot_input_max(inputs, input);
+  if (max == input || own->x[0] <= rot_input_number(inputs, given, max)) return ROT_OK;
+  (void)rot_refuse_numbers(refusal, input, "%s; it is %s", rot_input_number(inputs, given, max),
+                           own->x[0]);
+  rot_refused_in(refusal, "must be at most `%s`,", inputs[max].name);
+  return ROT_EVALUE;
+}
+
 rot_status rot_inputs_check(size_t n, const rot_input inputs[], const rot_given given[],
                             rot_refusal *refusal) {
   rot_status status = ROT_OK;
   for (size_t i = 0; i < n && status == ROT_OK; i++) {
-    if (given[i].is) {
-      status = check_given(&inputs[i], i, &given[i], refusal);
-    } else if (inputs[i].required) {
-      status = rot_refuse(refusal, i, "is missing: it has no default");
-    }
-    if (status != ROT_OK || !given[i].is || given[i].n != 1) continue;
-    const size_t max = max_of(inputs, i);
-    if (max < i && given[i].x[0] > rot_input_number(inputs, given, max)) {
-      status = rot_refuse_numbers(refusal, i, "%s; it is %s", rot_input_number(inputs, given, max),
-                                  given[i].x[0]);
-      rot_refused_in(refusal, "must be at most `%s`,", inputs[max].name);
-    }
+    status = rot_input_check(i, inputs, given, refusal);
   }
   return status;
 }

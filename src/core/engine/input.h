@@ -102,6 +102,14 @@ typedef struct rot_refusal {
 /* The place of a name in a list; n: it is not there. */
 size_t rot_input_named(size_t n, const rot_input inputs[], const char *name);
 
+/* The input that is the default of this one, and the most it may be; this one: none. Stands before
+ * it. */
+size_t rot_input_max(const rot_input inputs[], size_t input);
+
+/* Whether an input is given that must be, and lies in its domain: ROT_OK, or ROT_EVALUE. */
+rot_status rot_input_check(size_t input, const rot_input inputs[], const rot_given given[],
+                           rot_refusal *refusal);
+
 /* Whether each input is given that must be, and lies in its domain: ROT_OK, or ROT_EVALUE with the
  * first that does not. */
 rot_status rot_inputs_check(size_t n, const rot_input inputs[], const rot_given given[],

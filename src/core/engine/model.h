@@ -87,7 +87,9 @@ typedef struct rot_column_of {
 /* Where a run writes; n rows, times their copies. */
 typedef struct rot_rows {
   void *const *column; /* one for each of the constraint's, of n values */
-  int whole;           /* 1: the caller knows that none of them is NULL */
+  /* Doubles from column[0] on where all columns lie one after another, none NULL, all numbers set;
+   * 0: they do not. */
+  size_t cells;
   /* One for each of its flows, since the start or since the first row: their differences count.
    * NULL: not wanted. */
   double *const *flow;

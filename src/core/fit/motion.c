@@ -22,7 +22,8 @@ struct rot_fit_motion {
   double *input, *time_s; /* of the present run */
   double shift_s;
   size_t rows_per_time;
-  void *column[ROT_MAX_COLUMNS];
+  void *column[ROT_MAX_COLUMNS]; /* one after another */
+  size_t cells;
   rows base, up, down, far_up, far_down;
   int has_base;   /* base is the run of input and shift_s */
   double up_step; /* up has the input of find_step() moved by it */
@@ -47,7 +48,8 @@ static rot_status open_memory(rot_fit_motion *m) {
   const size_t n_columns = m->constraint ? m->constraint->n_columns : 0;
   m->input = rot_store_get(&m->store, 2 * plan->n_inputs + 1, sizeof *m->input);
   m->time_s = rot_store_get(&m->store, plan->n + 1, sizeof *m->time_s);
-  double *columns = rot_store_get(&m->store, n_columns * each, sizeof *columns);
+  m->cells = n_columns * each;
+  double *columns = rot_store_get(&m->store, m->cells, sizeof *columns);
   m->slope = rot_store_get(&m->store, (plan->n_inputs + 1) * plan->n_columns * plan->n + 1,
                            sizeof *m->slope);
   m->has_slope = rot_store_get(&m->store, plan->n_inputs + 1, sizeof *m->has_slope);
@@ -126,7 +128,7 @@ static rot_status run_scene(rot_fit_motion *m, const void *scene, double shift_s
                          .time_s = m->time_s,
                          .accuracy = plan->accuracy,
                          .max_steps = max_steps(m)};
-  const rot_rows want = {.column = m->column, .whole = 1};
+  const rot_rows want = {.column = m->column, .cells = m->cells};
   rot_outcome o;
   m->runs++;
   o.events = (rot_events){0};

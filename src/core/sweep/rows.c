@@ -24,8 +24,9 @@ struct rot_rows_worker {
   const char **paths;      /* without the time */
   size_t n_paths, time_at; /* the place of the time among the inputs; n_inputs: it does not vary */
   size_t rows_per_time, max_times;
-  int audits; /* an output needs flows */
-  void *column[ROT_MAX_COLUMNS];
+  int audits;                    /* an output needs flows */
+  void *column[ROT_MAX_COLUMNS]; /* one after another */
+  size_t cells;
   double *flow[ROT_MAX_FLOWS], flow_error[ROT_MAX_FLOWS];
   double *time_s, *cell;
   rot_store store;
@@ -39,7 +40,8 @@ static rot_status open_memory(rot_rows_worker *w) {
   const rot_constraint *c = w->constraint;
   const size_t each = w->max_times * w->rows_per_time;
   if (w->max_times > SIZE_MAX / 1024 / w->rows_per_time) return ROT_ENOMEM;
-  double *columns = rot_store_get(&w->store, c->n_columns * each, sizeof *columns);
+  w->cells = c->n_columns * each;
+  double *columns = rot_store_get(&w->store, w->cells, sizeof *columns);
   double *flows = rot_store_get(&w->store, c->n_flows * w->max_times, sizeof *flows);
   w->time_s = rot_store_get(&w->store, w->max_times, sizeof *w->time_s);
   w->cell = rot_store_get(&w->store, 2 * c->n_columns * w->rows_per_time, sizeof *w->cell);
@@ -96,7 +98,7 @@ rot_status rot_rows_open(const rot_row_plan *plan, rot_rows_worker **to, rot_ref
   if (!w) return ROT_ENOMEM;
   w->plan = plan;
   w->time_at = plan->n_inputs;
-  w->max_times = plan->n_times + 2;
+  w->max_times = (plan->n_times ? plan->n_times : 1) + 1; /* the start, too */
   const rot_status status = open_worker(w, no);
   if (status == ROT_OK)
     *to = w;
@@ -188,7 +190,7 @@ static int run_row(rot_rows_worker *w, const void *scene, size_t n, rot_outcome 
   task.time_s = w->time_s;
   task.max_steps += n;
   const rot_rows want = {.column = w->column,
-                         .whole = 1,
+                         .cells = w->cells,
                          .flow = flows ? w->flow : NULL,
                          .flow_error = flows ? w->flow_error : NULL};
   if (plan->model && !w->named) return ROT_ROW_NO_MODEL;

@@ -106,6 +106,8 @@ typedef struct slot {
   size_t up, at;         /* the slot that has it, as which value */
   int depth;             /* 0: the scene */
   rot_given *given;      /* its inputs, or the items of the list */
+  size_t n_moving;       /* inputs that vary, have a slot, or are bounded by one that does */
+  size_t *moving;        /* their places, in order */
   void *built;           /* the scene or the part; of a list NULL */
 } slot;
 
@@ -123,7 +125,8 @@ static size_t slot_of(rot_variants *v, const rot_object *object, const rot_input
   for (size_t i = 1; i < v->n_slots; i++) {
     if (v->slots[i].object == object) return i;
   }
-  v->slots[v->n_slots] = (slot){object, list, up, at, v->slots[up].depth + 1, NULL, NULL};
+  v->slots[v->n_slots] =
+      (slot){.object = object, .list = list, .up = up, .at = at, .depth = v->slots[up].depth + 1};
   return v->n_slots++;
 }
 
@@ -259,6 +262,23 @@ static rot_status open_leaf(rot_variants *v, slot *s, const rot_place *place, do
   return ROT_OK;
 }
 
+/* Finds which inputs of slot `at` each build checks: the others passed with the scene. */
+static rot_status open_moving(rot_variants *v, size_t at, size_t n, const rot_place places[],
+                              const size_t of[]) {
+  slot *s = &v->slots[at];
+  s->moving = rot_store_get(&v->store, s->object->n, sizeof *s->moving);
+  if (!s->moving) return ROT_ENOMEM;
+  for (size_t i = 0; i < s->object->n; i++) {
+    int moves = 0;
+    for (size_t k = 0; k < n; k++) moves |= of[k] == at && places[k].at == i;
+    for (size_t k = 1; k < v->n_slots; k++) moves |= v->slots[k].up == at && v->slots[k].at == i;
+    const size_t max = rot_input_max(s->object->inputs, i);
+    for (size_t k = 0; k < s->n_moving; k++) moves |= s->moving[k] == max;
+    if (moves) s->moving[s->n_moving++] = i;
+  }
+  return ROT_OK;
+}
+
 static rot_status open_all(rot_variants *v, size_t n, const char *const paths[], rot_refusal *no) {
   rot_status status = ROT_OK;
   rot_place *places = rot_store_get(&v->store, n, sizeof *places);
@@ -298,6 +318,9 @@ static rot_status open_all(rot_variants *v, size_t n, const char *const paths[],
   for (size_t s = 1; s < v->n_slots && status == ROT_OK; s++) {
     v->slots[v->slots[s].up].given[v->slots[s].at] = given_of(&v->slots[s]);
   }
+  for (size_t s = 0; s < v->n_slots && status == ROT_OK; s++) {
+    if (v->slots[s].built) status = open_moving(v, s, n, places, of);
+  }
   return status;
 }
 
@@ -334,10 +357,18 @@ const void *rot_variants_base(const rot_variants *v) { return v->slots[0].built;
 
 void rot_variants_set(rot_variants *v, size_t i, double value) { *v->leaves[i] = value; }
 
+static rot_status check_moving(const slot *s, rot_refusal *no) {
+  rot_status status = ROT_OK;
+  for (size_t i = 0; i < s->n_moving && status == ROT_OK; i++) {
+    status = rot_input_check(s->moving[i], s->object->inputs, s->given, no);
+  }
+  return status;
+}
+
 static rot_status build_part(rot_variants *v, slot *s, rot_refusal *no) {
   const rot_part *part = s->object->part;
   memset(s->built, 0, part->size);
-  rot_status status = rot_inputs_check(part->n_inputs, part->inputs, s->given, no);
+  rot_status status = check_moving(s, no);
   if (status == ROT_OK) status = part->build(part, s->given, &v->rebuilt, s->built, no);
   if (status == ROT_OK && part->makes == ROT_INPUT_BODY) {
     v->slots[s->up].given[s->at].body = *(const rot_given_body *)s->built;
@@ -360,10 +391,12 @@ rot_status rot_variants_build(rot_variants *v, const void **scene, rot_refusal *
       return status;
     }
   }
+  const slot *top = &v->slots[0];
+  if (status == ROT_OK) status = check_moving(top, no);
   if (status == ROT_OK) {
-    memset(v->slots[0].built, 0, root->constraint->scene_size);
-    status = rot_run_build(root->maker, v->slots[0].given, &v->rebuilt, v->slots[0].built, no);
+    memset(top->built, 0, root->constraint->scene_size);
+    status = root->maker->build(top->given, &v->rebuilt, top->built, no);
   }
-  *scene = v->slots[0].built;
+  *scene = top->built;
   return status;
 }
