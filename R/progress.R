@@ -7,6 +7,7 @@
 # new one.
 progress_bar <- function(name) {
   start <- NULL
+  last <- -Inf
   bar <- NULL
   failed <- FALSE
   owner <- parent.frame()
@@ -16,7 +17,8 @@ progress_bar <- function(name) {
     if (isTRUE(getOption("knitr.in.progress"))) return()
     now <- proc.time()[[3L]]
     if (is.null(start)) start <<- now
-    if (now - start < 1) return()
+    if (now - start < 1 || now - last < 0.2) return()
+    last <<- now
     tryCatch(
       {
         if (is.null(bar)) bar <<- cli::cli_progress_bar(name, total = 1, .envir = owner)

@@ -23,13 +23,12 @@ run_by_daemons <- function(plan, folder, todo, threads, compute, call) {
     unlink(file.path(run$job$folder, "work", run$job$nonce))
   })
   bar <- progress_bar("sweep")
-  pause <- 0.001
   while (run$left > 0) {
     look_at_daemons(run)
     give_out(run)
-    pause <- if (collect_receipts(run)) 0.001 else min(0.05, 1.5 * pause)
+    collect_receipts(run)
     bar(1 - run$left / length(todo))
-    if (run$left > 0) Sys.sleep(pause)
+    if (run$left > 0) Sys.sleep(run$pause)
   }
   abort_failed_chunks(run$failed, call)
 }
@@ -51,6 +50,7 @@ new_coordination <- function(plan, folder, todo, threads, compute, call) {
   run$flight <- list()
   run$failed <- list()
   run$seconds <- double()
+  run$pause <- 0.01
   run$connections <- 0
   run$looked <- -Inf
   run$able <- FALSE
@@ -160,17 +160,17 @@ close_chunk <- function(run, chunk) {
   run$open[chunk] <- FALSE
   run$left <- run$left - 1
   same <- vapply(run$flight, `[[`, double(1), "chunk") == chunk
+  if (!any(same)) return()
   mirai::stop_mirai(lapply(run$flight[same], `[[`, "task"))
   run$flight <- run$flight[!same]
 }
 
-# TRUE: some arrived.
 collect_receipts <- function(run) {
   ready <- !vapply(run$flight, function(one) mirai::unresolved(one$task), NA)
+  if (!any(ready)) return()
   arrived <- run$flight[ready]
   run$flight <- run$flight[!ready]
   for (one in arrived) take_receipt(run, one$chunk, one$task$data)
-  length(arrived) > 0L
 }
 
 take_receipt <- function(run, chunk, receipt) {
@@ -182,6 +182,8 @@ take_receipt <- function(run, chunk, receipt) {
   if (is.null(receipt$class)) {
     run$able <- TRUE
     run$seconds <- utils::tail(c(run$seconds, receipt$seconds), 999L)
+    # Each daemon has another chunk at hand: it does not wait.
+    run$pause <- min(0.25, max(0.001, receipt$seconds / 4))
     return(close_chunk(run, chunk))
   }
   e <- daemon_condition(receipt$class, receipt$message)

@@ -157,6 +157,22 @@ package_sweeps <- function(program, n = 2^18) {
   threads_figure("the same of 2^22 rows", run, child(program, "1 axle_drag", u))
 }
 
+# Processor time of a coordinator for a chunk, beside that of reading the sums at the end.
+coordinator <- function(n = 512) {
+  processor_s <- function(code) {
+    took <- system.time(code)
+    took[["user.self"]] + took[["sys.self"]]
+  }
+  folder <- file.path(scratch, "coordinator")
+  mirai::daemons(2)
+  on.exit(mirai::daemons(0))
+  mirai::everywhere(loadNamespace("rotdyn"))[]
+  plan <- sweep_plan(wheel, 2, three_inputs(n * 65536), seven[1], keep = "summary",
+                     chunk_rows = 65536)
+  run_s <- processor_s(sweep_run(plan, folder))
+  (run_s - processor_s(sweep_read(folder))) / n * 1e3
+}
+
 # Numbers of Sobol's sequence in the core, and rows of a design in R.
 designs <- function(program, n = 65536) {
   u <- (seq_len(n) - 0.5) / n
@@ -206,5 +222,7 @@ if ("--billion" %in% args || any(startsWith(args, "--rows="))) {
   core_threads(program)
   designs(program)
   package_sweeps(program)
+  figure("two daemons: the coordinator for a chunk", or_not_measured(coordinator()), 0.5,
+         unit = " ms")
 }
 unlink(scratch, recursive = TRUE)
