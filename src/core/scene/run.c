@@ -148,8 +148,8 @@ static uint64_t carries_of(size_t n, const void *x) {
 static int beyond_doubles(const job *j, size_t n) {
   const rot_constraint *c = j->constraint;
   const size_t cells = j->rows.cells;
-  /* Usually one look at all the memory is enough. Column by column, a row of a sweep took 1.31 times
-   * its builder and model; so 1.25 (`bench/sweep-scale.R`, incline). */
+  /* Usually one look at all the memory is enough. Column by column, a row of a sweep took 1.31
+   * times its builder and model; so 1.25 (`bench/sweep-scale.R`, incline). */
   if (cells && cells <= 4 * n * c->n_columns && !carries_of(cells, j->rows.column[0])) return 0;
   const showing by = showing_of(c, j->scene);
   uint64_t found = 0;
