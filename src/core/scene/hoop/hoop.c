@@ -5,11 +5,14 @@
 #include <string.h>
 
 #include "engine/ode/system.h"
+#include "ground/dd_trig.h"
 
 /* Units of the inputs below. turn: rate of the hoop about the vertical; drag: N s/m; start: s. */
 typedef struct hoop {
   double mass, radius, turn, theta0, omega0, drag, mu_static, mu_kinetic, gravity, start;
   double inertia, weight; /* m R^2, m g R */
+  double sine0, cosine0;  /* of theta0 */
+  double lifts;           /* turn^2 cos(theta0) - g/R: 0 where the bead rests */
 } hoop;
 
 /* ---- inputs ---------------------------------------------------------------------------------- */
@@ -28,6 +31,18 @@ static const rot_input inputs[] = {
     ROT_NUMBER_INPUT("start_s", "s", 0, -DBL_MAX, 0, 0.0, "when the state above holds")};
 /* clang-format on */
 
+/* turn^2 cos(theta0) - g/R loses all digits where the bead rests: in twice the precision. */
+static void note_start(hoop *h) {
+  rot_dd sine = {sin(h->theta0), 0.0}, cosine = {cos(h->theta0), 0.0};
+  if (fabs(h->theta0) < 1e15) rot_dd_sine_cosine((rot_dd){h->theta0, 0.0}, &sine, &cosine);
+  const rot_dd out = rot_dd_mul(rot_dd_mul2(h->turn, h->turn), cosine);
+  const rot_dd pull = rot_dd_div((rot_dd){h->gravity, 0.0}, (rot_dd){h->radius, 0.0});
+  h->sine0 = sine.hi;
+  h->cosine0 = cosine.hi;
+  h->lifts = rot_dd_sub(out, pull).hi;
+  if (!isfinite(h->lifts)) h->lifts = h->turn * h->turn * h->cosine0 - h->gravity / h->radius;
+}
+
 static rot_status build(const rot_given given[], rot_store *store, void *to, rot_refusal *no) {
   (void)store;
   hoop *h = to;
@@ -35,24 +50,30 @@ static rot_status build(const rot_given given[], rot_store *store, void *to, rot
   h->inertia = h->mass * h->radius * h->radius;
   h->weight = h->mass * h->gravity * h->radius;
   const double rates = h->turn * h->turn + h->gravity / h->radius + h->drag / h->mass;
-  if (h->inertia * rates < INFINITY) return ROT_OK;
-  return rot_refuse(no, 0, "leaves energies or rates beyond double precision");
+  if (!(h->inertia * rates < INFINITY)) {
+    return rot_refuse(no, 0, "leaves energies or rates beyond double precision");
+  }
+  note_start(h);
+  return ROT_OK;
 }
 
 /* ---- motion ---------------------------------------------------------------------------------- */
 
-/* State => forces over m R along the hoop and normal to it, sin and cos theta. q_low: exact angle
- * minus q. */
+/* State => forces over m R along the hoop and normal to it, sin and cos theta. */
 typedef struct forces {
   double sine, cosine, along, normal;
 } forces;
 
+/* By differences from the start: about a rest that is not the lowest point gravity and the
+ * centrifugal force cancel, and 1e-9 rad/s was off by 1e-7 of itself. */
 static forces forces_at(const hoop *h, const rot_system_state *at) {
-  const double s = sin(*at->q) + *at->q_low * cos(*at->q), omega = *at->v;
-  const double c = cos(*at->q) - *at->q_low * sin(*at->q);
-  const double square = h->turn * h->turn, pull = h->gravity / h->radius;
-  const double in_plane = pull * c + omega * omega + square * s * s;
-  return (forces){s, c, (square * c - pull) * s, hypot(in_plane, 2.0 * h->turn * c * omega)};
+  const double half = 0.5 * *at->moved, s = sin(half), c = cos(half), omega = *at->v;
+  const double lost = -2.0 * s * (c * h->sine0 + s * h->cosine0); /* cos theta - cos theta0 */
+  const double sine = h->sine0 + 2.0 * s * (c * h->cosine0 - s * h->sine0);
+  const double cosine = h->cosine0 + lost, square = h->turn * h->turn;
+  const double in_plane = h->gravity / h->radius * cosine + omega * omega + square * sine * sine;
+  return (forces){sine, cosine, (h->lifts + square * lost) * sine,
+                  hypot(in_plane, 2.0 * h->turn * cosine * omega)};
 }
 
 static const char *const flows[] = {"work_j", "dissipated_j", "torque_impulse_n_m_s"};
@@ -100,7 +121,9 @@ static void time_scales(const void *scene, const double sizes[], rot_time_scales
 
 static rot_system_start start(const void *scene) {
   const hoop *h = scene;
-  const double acts = (h->gravity / h->radius + h->turn * h->turn) * fabs(sin(h->theta0));
+  const rot_system_state state = {.moved = &(double){0.0}, .v = &h->omega0};
+  const forces f = forces_at(h, &state);
+  const double acts = fabs(f.along) + h->mu_kinetic * f.normal;
   return (rot_system_start){1,        1,    &h->theta0,          &h->omega0,
                             h->start, acts, h->mu_static != 0.0, h->mu_static};
 }
