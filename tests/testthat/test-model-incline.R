@@ -583,3 +583,29 @@ test_that("a time at which the closed form leaves the doubles is an error, not a
   slides <- scene_incline(body_sphere(1, 0.1), 30, static_friction = 0.2)
   expect_error(trajectory(slides, c(1, 1e200)), class = "rotdyn_error_range")
 })
+
+test_that("a body that a force nearly balances keeps the digits of a slow motion", {
+  # Closed forms with 40 digits (mpmath 1.3.0) from these doubles, m g sin(20 deg) N up the slope:
+  # without drag, with 0.5 N s/m, and sliding. The rounding of g sin(20 deg) moved it by 3e-14 m/s.
+  ball <- body_sphere(2, 0.1)
+  slow <- function(at_s, ...) {
+    scene <- suppressMessages(scene_incline(ball, 20, v0_m_per_s = 1e-12, ...))
+    motion <- trajectory(scene, c(0, at_s))
+    c(motion$v_m_per_s[2], glance(motion)$error * 1e-12)
+  }
+  rolls <- slow(20, force = -0x1.ad5239db7df1fp+2)
+  expect_lt(abs(rolls[1] - 1.000341057551066985e-12), rolls[2])
+  expect_lt(rolls[2], 1e-25)
+  drags <- slow(
+    20, force = -0x1.ad5239db7df1fp+2, resistance = resistance(drag_n_s_per_m = 0.5)
+  )
+  expect_lt(abs(drags[1] - 2.8208470927013827268e-14), drags[2])
+  expect_lt(drags[2], 1e-20)
+  slides <- slow(0.1, force = -0x1.82d280988fbd0p+1, static_friction = 0.2, omega0_rad_per_s = -10)
+  expect_lt(abs(slides[1] - 1.0000108174349689883e-12), 1e-26)
+  # Of a function, which is sampled, the figure has the rounding.
+  push <- -0x1.ad5239db7df1fp+2
+  scene <- scene_incline(ball, 20, v0_m_per_s = 1e-8, force = function(time_s) push)
+  expect_warning(motion <- trajectory(scene, c(0, 20)), class = "rotdyn_warning_accuracy")
+  expect_lt(abs(motion$v_m_per_s[2] - (1e-8 + 3.41e-16)), glance(motion)$error * 1e-8)
+})

@@ -16,6 +16,7 @@ typedef struct rot_incline_scene {
   double drag_n_s2_per_m2; /* >= 0, quadratic */
   rot_incline_force force; /* NULL: none */
   void *ctx;               /* of the force */
+  int force_is_called;     /* 1: a law, whose values are rounded; 0: exact */
   double force_noise_n;    /* >= 0, error of the force */
   size_t n_breaks;
   const double *breaks_s; /* times at which the force may jump or kink */

@@ -140,6 +140,7 @@ rot_status rot_incline_build(const rot_given given[], rot_store *store, void *to
       built->law = (rot_law){constant_force, &built->force_n, 0.0};
     }
     scene->force = call_force;
+    scene->force_is_called = built->law.call != constant_force;
     scene->ctx = &built->law;
     scene->force_noise_n = built->law.noise;
     scene->n_breaks = given[BREAKS].is ? given[BREAKS].n : 0;
