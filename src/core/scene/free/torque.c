@@ -67,11 +67,13 @@ void rot_free_hang(const rot_free_params *p, rot_free_hung *out) {
     const int i = (k + 1) % 3, j = (k + 2) % 3;
     const rot_dd torque = rot_dd_sub(rot_dd_mul(up[i], lever[j]), rot_dd_mul(up[j], lever[i]));
     out->torque[k] = ldexp(torque.hi, exponent);
+    out->lost[k] = ldexp(torque.lo, exponent);
   }
   if (p->turned) {
     const rot_free_hung own = *out;
     rot_attitude_to_body(p->axes, own.up, out->up);
     rot_attitude_to_body(p->axes, own.torque, out->torque);
+    rot_attitude_to_body(p->axes, own.lost, out->lost);
   }
 }
 
@@ -82,7 +84,7 @@ void rot_free_add_hung(const rot_free_params *p, const rot_free_hung *hung, cons
   rot_cross(q + 1, side, change);
   for (int k = 0; k < 3; k++) change[k] = 2.0 * (change[k] - q[0] * side[k]);
   rot_cross(change, p->lever_n_m, more);
-  for (int k = 0; k < 3; k++) torque[k] += hung->torque[k] + more[k];
+  for (int k = 0; k < 3; k++) torque[k] = torque[k] + hung->torque[k] + (hung->lost[k] + more[k]);
 }
 
 /* Sum of constant, table and law. */

@@ -22,6 +22,7 @@ rot_status rot_free_torque(const rot_free_params *p, double t, const double omeg
  * two products leave: of the given numbers in twice the precision. */
 typedef struct rot_free_hung {
   double up[3], torque[3];
+  double lost[3]; /* the torque less its double */
 } rot_free_hung;
 
 void rot_free_hang(const rot_free_params *p, rot_free_hung *out);
