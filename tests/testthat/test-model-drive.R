@@ -926,3 +926,23 @@ test_that("implicit steps begin at rest at a kink of a torque curve", {
     c(1.51, 1.19, 1.08), c(169, 0.356), 1.25, c(0.321, 0.531), c(2.5, -1.2, -1.8), 10, 0
   )
 })
+
+test_that("a shaft twisted by its load swings slowly within the figure", {
+  # Extrapolation with 34 digits (mpmath 1.3.0) from these doubles; both torques balance the twist.
+  last <- list("1e-6" = c(-4.5447711728829648285e-7, 2.4031752210107952323e-7),
+               "1e-9" = c(-4.5447657229283188169e-10, 2.4031779502038716952e-10))
+  load <- -0x1.3ffffffffffffp+4
+  for (start in names(last)) {
+    for (second in list(load, function(time_s) load)) {
+      scene <- scene_drive(
+        list(0.5, 2), coupling_shaft(50, ratio = 2),
+        torque = list(torque_gravity(1, 1, gravity_m_per_s2 = 8) + 0x1.ee7fe0b5fc785p+3, second),
+        theta0_rad = c(0.75, 0x1.199999999999ap-2), omega0_rad_per_s = c(as.numeric(start), 0)
+      )
+      motion <- suppressWarnings(trajectory(scene, c(0, 2)))
+      size <- max(abs(motion$omega_rad_per_s))
+      off <- max(abs(motion$omega_rad_per_s[3:4] - last[[start]]))
+      expect_lt(off, glance(motion)$error * size)
+    }
+  }
+})

@@ -31,7 +31,7 @@ typedef struct place {
 
 static rot_system_state state_of(const motion *m, const double y[], int sign, place *at) {
   for (size_t i = 0; i < m->s.n; i++) at->q[i] = rot_two_sum(m->s.q[i], y[i], &at->q_low[i]);
-  return (rot_system_state){at->q, at->q_low, y, y + m->s.n, sign};
+  return (rot_system_state){at->q, at->q_low, y + m->s.n, sign, y};
 }
 
 static rot_status slopes(double t, const double y[], double dydt[], void *ctx) {

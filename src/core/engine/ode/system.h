@@ -9,9 +9,9 @@ enum { ROT_SYSTEM_MAX = 16 }; /* coordinates */
 
 typedef struct rot_system_state {
   const double *q, *q_low; /* coordinates, and what these doubles lack of the exact sum */
-  const double *moved;     /* coordinates less those of the start */
   const double *v;         /* their rates */
   int sign;                /* of the rate, where friction is dry; 0: it is held at rest */
+  const double *moved;     /* in a run: coordinates less those of the start */
 } rot_system_state;
 
 /* What a run begins with. */

@@ -28,8 +28,9 @@ typedef struct motion {
   signed char *now, *before;
   int mode; /* present row of `modes` */
   double span_s, noise[3];
-  double max[2];     /* largest |theta|, |omega| so far */
-  rot_status failed; /* status of an event function, returned by the next rhs */
+  double rounding, rounds[3]; /* of the rates: moving, and as the state is */
+  double max[2];              /* largest |theta|, |omega| so far */
+  rot_status failed;          /* status of an event function, returned by the next rhs */
   rot_events *events;
 } motion;
 
@@ -166,6 +167,7 @@ static void note_noise(motion *m) {
   }
   m->noise[1] = 4.0 * ROT_EPS * max + off;
   m->noise[0] = m->noise[2] = m->noise[1] * m->span_s;
+  m->rounding = ROT_EPS * max + off;
 }
 
 /* Sticking bodies come to rest together: after the event of one of them the others have a rate
@@ -243,6 +245,10 @@ static void note_state(double t, double y[], void *ctx) {
     const double theta = theta0 + m->s.fraction[i] * y[m->s.unit_of[i]];
     m->max[0] = fmax(m->max[0], fabs(theta));
     m->max[1] = fmax(m->max[1], fabs(rot_drive_omega(&m->s, y, i)));
+  }
+  m->rounds[1] = 0.0; /* at rest: it is held, and steps are long */
+  for (size_t u = 0; u < m->s.m; u++) {
+    if (y[m->s.m + u] != 0.0) m->rounds[1] = m->rounding;
   }
 }
 
@@ -570,6 +576,7 @@ static rot_status run(motion *m, const rot_drive_ode_options *options, size_t n,
         .at_break = cross_break,
         .project = note_state,
         .noise = m->noise,
+        .rounds = m->rounds,
         .integrals_between = 1,
         .resolution = rot_ode_resolution(calls_law(s->scene), options->resolution),
         .kinks = has_kinks(s->scene),
