@@ -12,8 +12,10 @@
 
 #define PI 3.14159265358979323846
 
-/* State: q of the principal axes, L in them, flows since the start (without the work of gravity,
- * which follows from the height), momenta of the rotors that are not driven. */
+/* State: q since the start, in the principal axes at the start, so that a motion of 1e-9 rad about a
+ * tilted rest keeps its digits; L in principal axes; flows since the start, along the axes at the
+ * start (without the work of gravity, which follows from the height); momenta of the rotors that
+ * are not driven. Rows have q and flows in space. */
 enum { MOMENTUM = 4, STATE = 7, ROTORS = STATE + ROT_FREE_FLOWS };
 enum { MAX = ROTORS + ROT_FREE_MAX_ROTORS };
 enum { WORK = STATE, HEAT, TORQUE_IMPULSE, DAMPING_IMPULSE = TORQUE_IMPULSE + 3 };
@@ -29,8 +31,10 @@ typedef struct stepper {
   double gap[2];           /* 1/Ib - 1/Ia, 1/Ic - 1/Ia */
   double against[3];       /* h/I of the rotors */
   double earliest, latest; /* limits of the times at which torques are evaluated: the breaks */
-  double potential;        /* of gravity at the start */
-  double l0[3];            /* L in space at the start */
+  double q0[4];            /* attitude of the principal axes at the start */
+  double l0[3];            /* L at the start */
+  int weight;              /* 1: gravity acts */
+  rot_free_hung hung;
   size_t steps, calls;
 } stepper;
 
@@ -40,14 +44,21 @@ static void omega_of(const stepper *s, const double y[], double omega[3]) {
   rot_free_rotors_omega(&s->rotors, y + MOMENTUM, y + ROTORS, omega);
 }
 
+/* (q since the start) => attitude; only laws and torques in space read it. */
+static void attitude_of(const stepper *s, const double q[4], double attitude[4]) {
+  rot_attitude_times(s->q0, q, attitude);
+}
+
 /* (t, omega, q) => torque with and without gravity, in body axes. */
 static rot_status torques(stepper *s, double t, const double omega[3], const double q[4],
                           double all[3], double own[3]) {
   const double at = fmin(fmax(t, s->earliest), s->latest);
+  double attitude[4] = {1.0, 0.0, 0.0, 0.0};
   s->calls++;
-  const rot_status status = rot_free_torque(s->p, at, omega, q, own);
+  if (s->p->law || s->p->in_space) attitude_of(s, q, attitude);
+  const rot_status status = rot_free_torque(s->p, at, omega, attitude, own);
   for (int k = 0; k < 3; k++) all[k] = own[k];
-  if (status == ROT_OK && rot_free_has_weight(s->p)) rot_free_add_weight(s->p, q, all);
+  if (status == ROT_OK && s->weight) rot_free_add_hung(s->p, &s->hung, q, all);
   return status;
 }
 
@@ -55,7 +66,10 @@ static rot_status torques(stepper *s, double t, const double omega[3], const dou
 static rot_status motors(stepper *s, double t, const double omega[3], const double q[4],
                          const double y[], double f[]) {
   const double at = fmin(fmax(t, s->earliest), s->latest);
-  return rot_free_rotors_slopes(&s->rotors, at, omega, q, y + ROTORS, f + ROTORS, &f[MOTOR_WORK]);
+  double attitude[4];
+  attitude_of(s, q, attitude);
+  return rot_free_rotors_slopes(&s->rotors, at, omega, attitude, y + ROTORS, f + ROTORS,
+                                &f[MOTOR_WORK]);
 }
 
 /* (t, state) => rates of the state. */
@@ -152,8 +166,8 @@ static rot_status semi_implicit(stepper *s, double t, double h, double y[]) {
 /* Flow of gravity for a time h: the body does not move. */
 static void kick(stepper *s, double h, double y[]) {
   double torque[3] = {0.0, 0.0, 0.0}, space[3];
-  if (!rot_free_has_weight(s->p)) return;
-  rot_free_add_weight(s->p, y, torque);
+  if (!s->weight) return;
+  rot_free_add_hung(s->p, &s->hung, y, torque);
   s->calls++;
   for (int k = 0; k < 3; k++) y[MOMENTUM + k] += h * torque[k];
   rot_attitude_to_space(y, torque, space);
@@ -257,10 +271,21 @@ typedef struct run {
   double from, to; /* progress of this run, as fractions of the total */
 } run;
 
-static double potential_of(const rot_free_params *p, const double q[4]) {
-  double space[3];
-  rot_attitude_to_space(q, p->lever_n_m, space);
-  return space[2];
+/* Work of gravity since the start: how much lower the lever's end is. */
+static double fall_of(const stepper *s, const double q[4]) {
+  double side[3], more[3], fall = 0.0;
+  rot_cross(q + 1, s->p->lever_n_m, side);
+  rot_cross(q + 1, side, more);
+  for (int k = 0; k < 3; k++) fall -= 2.0 * s->hung.up[k] * (q[0] * side[k] + more[k]);
+  return fall;
+}
+
+/* A state of the steps => one in space. */
+static void to_space(const stepper *s, double y[]) {
+  if (s->weight) y[WORK] += fall_of(s, y);
+  rot_attitude_times(s->q0, y, y);
+  rot_attitude_to_space(s->q0, y + TORQUE_IMPULSE, y + TORQUE_IMPULSE);
+  rot_attitude_to_space(s->q0, y + DAMPING_IMPULSE, y + DAMPING_IMPULSE);
 }
 
 static void note_size(run *r, const double y[]) {
@@ -307,7 +332,6 @@ static rot_status keep_place(run *r, const double y[]) {
   }
   double *place = r->place + r->places++ * dim;
   memcpy(place, y, dim * sizeof *place);
-  place[WORK] += r->s.potential - potential_of(r->s.p, place);
   return ROT_OK;
 }
 
@@ -317,7 +341,7 @@ static rot_status write_at(run *r, double t, const double y[], size_t i) {
   rot_status status = ROT_OK;
   memcpy(row, y, r->s.dim * sizeof *row);
   if (r->time_s[i] != t) status = step_in_parts(r, t, r->time_s[i] - t, row);
-  row[WORK] += r->s.potential - potential_of(r->s.p, row);
+  to_space(&r->s, row);
   if (status == ROT_OK && !finite_state(r, row)) status = ROT_ERANGE;
   if (status != ROT_OK) r->failed_s = r->time_s[i];
   return status;
@@ -481,7 +505,10 @@ static void note_errors(const run *r, const run *half, double flow_error[], rot_
     note_difference(&r->s, r->y + i * dim, half->y + i * dim, &d);
   }
   for (size_t i = 0; i < r->settled && i < half->settled; i++) {
-    note_difference(&r->s, r->place + i * dim, half->place + i * dim, &d);
+    double *place = r->place + i * dim, *of_half = half->place + i * dim;
+    to_space(&r->s, place);
+    to_space(&half->s, of_half);
+    note_difference(&r->s, place, of_half, &d);
   }
   if (half->rows_done < r->rows_done) d.angle = d.omega = d.momentum = INFINITY;
   const double by_angle = rot_ode_fixed_factor(order, d.angle, 1.0),
@@ -530,11 +557,13 @@ rot_status rot_free_step_through(const rot_free_params *p, const rot_free_step_o
            .hooks = hooks,
            .to = 1.0 / 3.0};
   choose_axes(&r.s);
-  rot_free_principal(p, omega, r.start);
+  rot_free_principal(p, omega, r.s.q0);
+  r.start[0] = 1.0;
   for (int k = 0; k < 3; k++) r.start[MOMENTUM + k] = rotors.momentum0[k];
   for (size_t k = 0; k < rotors.n_states; k++) r.start[ROTORS + k] = rotors.start[k];
-  r.s.potential = potential_of(p, r.start);
-  rot_attitude_to_space(r.start, r.start + MOMENTUM, r.s.l0);
+  memcpy(r.s.l0, rotors.momentum0, sizeof r.s.l0);
+  r.s.weight = rot_free_has_weight(p);
+  rot_free_hang(p, &r.s.hung);
   run half = r;
   half.parts = 2;
   half.y = y + room;

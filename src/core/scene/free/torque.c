@@ -30,16 +30,6 @@ int rot_free_has_weight(const rot_free_params *p) {
   return p->lever_n_m[0] != 0.0 || p->lever_n_m[1] != 0.0 || p->lever_n_m[2] != 0.0;
 }
 
-void rot_free_add_weight(const rot_free_params *p, const double q[4], double torque[3]) {
-  static const double up[3] = {0.0, 0.0, 1.0};
-  const double *g = p->lever_n_m;
-  double z[3];
-  rot_attitude_to_body(q, up, z);
-  torque[0] += z[1] * g[2] - z[2] * g[1];
-  torque[1] += z[2] * g[0] - z[0] * g[2];
-  torque[2] += z[0] * g[1] - z[1] * g[0];
-}
-
 /* z of a unit quaternion's body axes, |q|^2 divided out. */
 static void up_of(const double q[4], rot_dd up[3]) {
   const rot_dd ww = rot_dd_mul2(q[0], q[0]), xx = rot_dd_mul2(q[1], q[1]);

@@ -11,9 +11,6 @@ int rot_free_between_knots(size_t n, const double x[], double t, size_t *i, doub
 /* parameters => 1 if gravity has a torque, else 0. */
 int rot_free_has_weight(const rot_free_params *p);
 
-/* attitude => torque[] += torque of gravity, in principal axes. */
-void rot_free_add_weight(const rot_free_params *p, const double q[4], double torque[3]);
-
 /* (t, omega, attitude of the principal axes) => torque in principal axes, without gravity's. */
 rot_status rot_free_torque(const rot_free_params *p, double t, const double omega[3],
                            const double q[4], double out[3]);
