@@ -12,7 +12,7 @@
 
 #define PI 3.14159265358979323846
 
-/* State: q since the start, in the principal axes at the start, so that a motion of 1e-9 rad about a
+/* State: q since the start, in the principal axes at the start: a motion of 1e-9 rad about a
  * tilted rest keeps its digits; L in principal axes; flows since the start, along the axes at the
  * start (without the work of gravity, which follows from the height); momenta of the rotors that
  * are not driven. Rows have q and flows in space. */

@@ -387,7 +387,7 @@ static void refused_inputs(void) {
   kit_free(k);
 }
 
-/* Where gravity and the centrifugal force cancel, Taylor series of 40 digits (mpmath 1.3.0) from the
+/* Where gravity and the centrifugal force cancel; Taylor series of 40 digits (mpmath 1.3.0) of the
  * doubles below: beside the rest cos theta = g/(R W^2), and at the lowest point just below the
  * bifurcation. The forces themselves rounded, 1e-12 rad/s was off by 1e-4 of itself. */
 static void small_motions(void) {
