@@ -153,7 +153,7 @@ records_rerun <- function(con, run, ..., store = FALSE) {
   motion <- withCallingHandlers(
     compute_trajectory(
       old$scene, old$times_s, old$accuracy, if (old$model_asked) old$model, "abort",
-      old$max_steps, call, old$step_s
+      old$max_steps, call, old$step_s, if ("event" %in% old$columns) NA else FALSE
     ),
     rotdyn_warning_accuracy = function(w) rlang::cnd_muffle(w)
   )

@@ -111,7 +111,8 @@ trajectory <- function(scene, time_s, accuracy = 1e-9, model = NULL, ...,
 # C chooses and runs. NULL where there is more to do.
 quick_trajectory <- function(scene, time_s, accuracy = 1e-9) {
   constraint <- constraint_of(scene)
-  if (!isTRUE(constraint$quick)) return()
+  # Names and dimensions of the times are none of a column.
+  if (!isTRUE(constraint$quick) || !is.null(attributes(time_s))) return()
   result <- .Call(
     ffi_scene_quick, constraint$id, constraint$form, scene, time_s, accuracy
   )
@@ -173,7 +174,8 @@ abort_no_steps <- function(constraint, model, call, arg = "step_s") {
 }
 
 # `scene` is what the user described; `fit$scene` is what is solved.
-# `event_rows`: whether rows at the times of events are added.
+# `event_rows`: whether rows at the times of events are added; NA: only the column is, for rows that
+# are given with the events among them.
 run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, call, asked,
                            event_rows = FALSE) {
   record <- fit$record
@@ -182,22 +184,13 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
   result <- fit$result
   if (is.null(result)) {
     steps <- max_steps + length(time_s)
-    result <- if (event_rows && !is.null(constraint$event_rows)) {
+    result <- if (isTRUE(event_rows) && !is.null(constraint$event_rows)) {
       record$run(fit$scene, time_s, accuracy, steps, call, asked, event_rows = TRUE)
     } else {
       record$run(fit$scene, time_s, accuracy, steps, call, asked)
     }
   }
   each <- if (is.null(constraint$index)) 1L else constraint$rows_per_time(scene)
-  if (event_rows && is.null(constraint$event_rows)) {
-    result$event_rows <- run_to_events(result, record, fit$scene, accuracy, max_steps, call, asked)
-  }
-  if (event_rows || !is.null(constraint$event_rows)) {
-    result <- name_events(if (event_rows) add_event_rows(result) else result)
-    rows <- length(result$columns$time_s)
-    time_s <- result$columns$time_s[seq(1, by = each, length.out = rows / each)]
-  }
-  columns <- result$columns
   info <- result$info
   n <- length(time_s)
   if (!is.null(fit$dropped)) {
@@ -206,6 +199,31 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
   if (info$kind == "none" && n && suspicious(info, record, accuracy, fit$dropped)) {
     info <- measure_between_rows(info, fit, time_s, accuracy, max_steps, call)
   }
+  run_as <- function(body) {
+    new_run(
+      scene, fit$scene, fit$dropped, record$ran_as(info), # one integrator may switch to the other
+      accuracy, record$error_kind, info, result$ledger, fit$step_s, result$events, max_steps, asked,
+      body
+    )
+  }
+  if (!isFALSE(event_rows) || !is.null(constraint$event_rows)) {
+    events <- result$events
+    if (is.null(constraint$event_rows)) {
+      if (info$kind == "none") {
+        run <- run_as(NULL)
+        events <- events_of(new_trajectory(result$columns, n * each, run), run, call)
+      }
+      if (isTRUE(event_rows)) {
+        result$event_rows <- run_to_events(
+          result, events, record, fit$scene, accuracy, max_steps, call, asked
+        )
+      }
+    }
+    result <- name_events(if (isTRUE(event_rows)) add_event_rows(result) else result, events)
+    n <- length(result$columns$time_s) / each
+    time_s <- result$columns$time_s[seq(1, by = each, length.out = n)]
+  }
+  columns <- result$columns
   if (!is.null(constraint$more_columns)) columns <- constraint$more_columns(columns, scene, time_s)
   if (info$kind != "none") {
     failed_run(info, n, on_fail, call)
@@ -239,16 +257,15 @@ run_trajectory <- function(fit, scene, time_s, accuracy, on_fail, max_steps, cal
       x = if (length(beyond)) "Beyond double precision: {.field {beyond}}."
     ), "accuracy", call)
   }
-  new_trajectory(columns, n * each, new_run(
-    scene, fit$scene, fit$dropped, record$ran_as(info), # one integrator may switch to the other
-    accuracy, record$error_kind, info, result$ledger, fit$step_s, result$events, max_steps, asked,
-    if (info$kind == "none") body_effect(fit, time_s, accuracy, max_steps, call)
-  ))
+  new_trajectory(
+    columns, n * each,
+    run_as(if (info$kind == "none") body_effect(fit, time_s, accuracy, max_steps, call))
+  )
 }
 
 # NULL, or list(columns, ledger): rows at the times of events, by a run of their own.
-run_to_events <- function(result, record, scene, accuracy, max_steps, call, asked) {
-  at <- unique(as.double(result$events$time_s))
+run_to_events <- function(result, events, record, scene, accuracy, max_steps, call, asked) {
+  at <- unique(as.double(events$time_s))
   if (!length(at) || result$info$kind != "none") return(NULL)
   rows <- record$run(scene, at, accuracy, max_steps + length(at), call, asked)
   if (rows$info$kind == "none") rows[c("columns", "ledger")]
@@ -277,9 +294,9 @@ add_event_rows <- function(result) {
 }
 
 # The result with the column `event`: NA where there is none.
-name_events <- function(result) {
-  at <- as.double(result$events$time_s)
-  words <- as.character(result$events$event)
+name_events <- function(result, events = result$events) {
+  at <- as.double(events$time_s)
+  words <- as.character(events$event)
   if (anyDuplicated(at)) {
     words <- vapply(split(words, match(at, unique(at))), paste, "", collapse = ", ")
     at <- unique(at)
@@ -404,19 +421,20 @@ new_trajectory <- function(columns, n, run) {
   columns
 }
 
-# After a change of rows or columns: the class is kept with the key columns, the ledger with the
-# rows. The error figure of the run holds for any of its rows; the error of values that the run
+# After a change of rows or columns: the class is kept with the key columns as numbers, the ledger
+# with the rows. The error figure of the run holds for any of its rows; the error of values that the run
 # did not compute is unknown.
 reconstruct_trajectory <- function(data, template) {
   run <- trajectory_run(template)
   tibble_class <- c("tbl_df", "tbl", "data.frame")
   constraint <- if (is.list(run) && is.object(run$scene)) constraint_of(run$scene)
-  if (is.null(constraint) || !all(constraint$keys %in% names(data))) {
+  now <- if (!is.null(constraint)) unclass(data)[constraint$keys]
+  holds <- function(name) is_key(now[[name]]) || name %in% constraint$index && name %in% names(data)
+  if (is.null(now) || !all(vapply(constraint$keys, holds, NA))) {
     attr(data, "run") <- NULL
     class(data) <- tibble_class
     return(data)
   }
-  now <- unclass(data)[constraint$keys]
   before <- unclass(template)[constraint$keys]
   if (!identical(now, before)) {
     run["ledger"] <- list(NULL)
@@ -427,6 +445,11 @@ reconstruct_trajectory <- function(data, template) {
   attr(data, "run") <- run
   class(data) <- c("rot_trajectory", tibble_class)
   data
+}
+
+# Numbers, or whether a clutch is locked; NULL is a column that is not there.
+is_key <- function(x) {
+  (is.numeric(x) || is.logical(x)) && !is.factor(x)
 }
 
 # Of the columns that the model computes and that are still there.
@@ -701,11 +724,16 @@ motion_events.default <- function(x, ...) {
 motion_events.rot_trajectory <- function(x, ...) {
   check_no_dots(...)
   run <- check_trajectory(x, "x", current_env())
+  events_of(x, run, current_env())
+}
+
+# The events that the run logged, and those that are looked for in its motion.
+events_of <- function(x, run, call) {
   events <- run$events
   out <- list(time_s = as.double(events$time_s), event = as.character(events$event))
   more <- constraint_of(run$scene)$more_events
   if (!is.null(more)) {
-    more <- more(x, run, current_env())
+    more <- more(x, run, call)
     order <- order(c(out$time_s, more$time_s))
     out <- list(
       time_s = c(out$time_s, more$time_s)[order], event = c(out$event, more$event)[order]

@@ -44,3 +44,17 @@ test_that("an estimate with other rows or names is one no more", {
     expect_error(predict(more, 1), "rows", class = "rotdyn_error_value")
   }
 })
+
+test_that("a motion whose times or angles are texts is one no more", {
+  motion <- trajectory(scene_axle(2, 1), 0:4)
+  for (name in c("time_s", "theta_rad")) {
+    edited <- motion
+    edited[[name]] <- as.character(edited[[name]])
+    expect_false(inherits(edited, "rot_trajectory"), info = name)
+    expect_error(audit(edited), class = "rotdyn_error_type")
+  }
+  # Rotors as a factor, for a plot of one's own, are still rotors.
+  shaft <- trajectory(scene_drive(c(1, 3), coupling_shaft(10), omega0_rad_per_s = c(2, 0)), 0:2)
+  shaft$rotor <- factor(shaft$rotor)
+  expect_s3_class(shaft, "rot_trajectory")
+})

@@ -577,6 +577,15 @@ test_that("event rows are for every scene", {
   motion <- trajectory(bead, c(0, 1, 5), event_rows = TRUE)
   expect_true("stick" %in% motion$event)
   expect_true(all(audit(motion)$verdict == "balanced"))
+  # Events that are looked for in the motion: theta = 0.1 cos(2 t) turns at pi/2 and passes 0 at
+  # odd quarters of pi.
+  spring <- scene_axle(1, torque_spring(4), theta0_rad = 0.1)
+  motion <- trajectory(spring, c(0, 1, 3), event_rows = TRUE)
+  expect_equal(motion$time_s, c(0, pi / 4, 1, pi / 2, 3 * pi / 4, 3), tolerance = 1e-14)
+  expect_identical(motion$event, c(NA, "passage", NA, "turn", "passage", NA))
+  expect_equal(motion$theta_rad, 0.1 * cos(2 * motion$time_s), tolerance = 1e-14)
+  expect_identical(motion_events(motion)$time_s, motion$time_s[!is.na(motion$event)])
+  expect_true(all(audit(motion)$verdict == "balanced"))
 })
 
 test_that("a time at which the closed form leaves the doubles is an error, not a row", {

@@ -662,6 +662,22 @@ test_that("the length of the steps is kept, and a run by steps is computed again
   expect_false(records_rerun(lab, run)$verdict == "identical")
 })
 
+test_that("a motion with rows at its events is found again", {
+  need()
+  lab <- new_lab()
+  on.exit(unlink(lab))
+  scenes <- list(
+    scene_axle(2, NULL, resistance(coulomb_n_m = 4), omega0_rad_per_s = 5),
+    scene_clutch(2, 3, capacity_n_m = 12, omega0_rad_per_s = c(10, 0)),
+    scene_axle(1, torque_spring(4), theta0_rad = 0.1)
+  )
+  for (scene in scenes) {
+    motion <- trajectory(scene, c(0, 0.5, 3), event_rows = TRUE)
+    expect_gt(nrow(motion), 3L)
+    expect_identical(records_rerun(lab, records_add(lab, motion))$verdict, "identical")
+  }
+})
+
 test_that("texts are compared row by row", {
   need()
   lab <- new_lab()

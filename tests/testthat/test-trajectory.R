@@ -301,3 +301,15 @@ test_that("the end of a summary is the latest time, in whatever order the rows a
   shaft <- trajectory(scene_rotors(1:2, 10, omega0_rad_per_s = 1:0), 0:2)
   expect_equal(final(reversed(shaft)), final(shaft))
 })
+
+test_that("times are a plain column, whatever they come in", {
+  wheel <- scene_axle(1, 1)
+  plain <- trajectory(wheel, c(1, 2, 3, 4))
+  for (time_s in list(matrix(c(1, 2, 3, 4), 2), c(a = 1, b = 2, c = 3, d = 4), 1:4)) {
+    motion <- trajectory(wheel, time_s)
+    expect_null(attributes(motion$time_s))
+    expect_identical(motion$time_s, plain$time_s)
+    expect_identical(spin_up(1, 1, time_s = time_s)$theta_rad, plain$theta_rad)
+    expect_null(attributes(spin_up(1, 1, time_s = time_s)$time_s))
+  }
+})
