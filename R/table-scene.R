@@ -49,7 +49,8 @@ finish_scene <- function(id, scene, call, constructor = paste0("scene_", id)) {
 # One argument as the core takes it. The core's check is the last word; this one takes units, and
 # says what is wrong as other constructors do.
 check_input <- function(x, name, input, call) {
-  if (is.null(x) && !input$required) return(NULL)
+  choice <- input$form == "text" && !is.null(input$options)
+  if (is.null(x) && !input$required && !choice) return(NULL)
   if (input$form == "body") return(check_body(x, call, name))
   if (input$form %in% c("inertia", "changing")) return(check_moment(x, name, input, call))
   if (input$form == "resistance") return(check_resistance(x, input$options, call))

@@ -272,7 +272,8 @@ static SEXP plain_part(const rot_input *input, SEXP x, SEXP form) {
 
 SEXP ffi_input_plain(const rot_input *input, SEXP x, SEXP form) {
   const unsigned kinds = input->kinds;
-  if (Rf_isNull(x)) return input->required ? NULL : x;
+  /* No choice is NULL: its first one is the default. */
+  if (Rf_isNull(x)) return input->required || kinds == ROT_INPUT_CHOICE ? NULL : x;
   if (Rf_inherits(x, "rot_body")) return kinds & ROT_INPUT_BODY ? x : NULL;
   if (Rf_isObject(x)) return plain_part(input, x, form);
   if (kinds & ROT_INPUT_TORQUE) {

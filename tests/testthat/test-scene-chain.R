@@ -143,3 +143,8 @@ test_that("verbs work on rows of several links, and texts come back", {
   chain$mass_kg <- c(1, 2, 3)
   expect_error(trajectory(chain, 0:1), class = "rotdyn_error_type")
 })
+
+test_that("links that are NULL are refused, not another chain", {
+  expect_error(scene_chain(1, 1, 1, links = NULL), "rods", class = "rotdyn_error_value")
+  expect_identical(scene_chain(1, 1, 1)$links, "rods")
+})
