@@ -145,7 +145,7 @@ spin_stability <- function(body, ...) {
 #' lies in a plane across the angular momentum and does not close).
 #'
 #' @param scene A [scene_free()] without torque, damping and rotors.
-#' @param n Number of points, at least 2, evenly spaced in time.
+#' @param n Number of points, from 2 to 1e6, evenly spaced in time.
 #' @param ... Not used; names after it must be given in full.
 #' @return A `rot_trajectory` over one period, twice [flip_time()]; over one turn for a steady spin.
 #'   [autoplot()][autoplot.rot_polhode] draws it on the ellipsoid.
@@ -172,7 +172,7 @@ polhode <- function(scene, n = 201, ...) {
       "{.arg scene} must be a {.fn scene_free} without torque, damping and rotors.", "value", call
     )
   }
-  n <- check_number(n, "n", "1", call, lower = 2)
+  n <- check_number(n, "n", "1", call, lower = 2, upper = 1e6)
   found <- .Call(ffi_free_period, scene)
   if (found$kind == "separatrix") {
     abort_rotdyn("The motion on the separatrix has no period.", "value", call)

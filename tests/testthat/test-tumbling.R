@@ -96,3 +96,8 @@ test_that("moments that differ by more than their roundings are two moments", {
   expect_equal(spin_stability(c(1, 1 + 1e-11, 2))$stability, c("stable", "unstable", "stable"))
   expect_equal(spin_stability(c(1, 1 + 1e-13, 2))$stability, c("neutral", "neutral", "stable"))
 })
+
+test_that("more points of a polhode than fit are an error of the package", {
+  nut <- scene_free(c(1, 2, 3), c(0.01, 4, 0.01))
+  expect_error(polhode(nut, 1e300), "1e\\+06", class = "rotdyn_error_value")
+})
