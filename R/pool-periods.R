@@ -20,7 +20,8 @@
 #' @param type_b_s Standard uncertainty of start and stop together, in s.
 #' @param period_s Periods of small swings.
 #' @param distance_m Distances of the pivots from the centre of mass.
-#' @param distance_u_m,period_u_s Their standard uncertainties: numbers, or one for all.
+#' @param distance_u_m,period_u_s Their standard uncertainties: numbers, or one for all. Each pivot
+#'   has one of them, or none has.
 #' @param gravity_m_per_s2 Acceleration of gravity, or NULL to fit it, too.
 #' @param x A result.
 #' @return `pool_periods()`: a list with `period_s` (a [measured()] number), `between_s` (the error
@@ -191,6 +192,7 @@ fit_pivots <- function(period_s, distance_m, ..., distance_u_m = 0, period_u_s =
     abort_rotdyn("{.arg distance_m} must have a number for each period.", "size", call)
   }
   check_rows_fit(list(distance_u_m = du, period_u_s = tu), n, "period_s", call)
+  check_pivot_errors(period, d, rep_len(tu, n), rep_len(du, n), call)
   g <- if (!is.null(gravity_m_per_s2)) {
     check_number(gravity_m_per_s2, "gravity_m_per_s2", "m/s^2", call, lower = 0, open = TRUE)
   }
@@ -231,6 +233,18 @@ fit_pivots <- function(period_s, distance_m, ..., distance_u_m = 0, period_u_s =
   )
 }
 
+# The weights are by the errors: none of them is 0 where others are not, nor so small that its square
+# is no double.
+check_pivot_errors <- function(period, d, tu, du, call) {
+  relative <- pmax(tu / period, du / d)
+  bad <- which(!(relative > 1e-100 & relative < 1e100))
+  if (all(relative == 0) || !length(bad)) return(invisible())
+  abort_rotdyn(c(
+    "Each pivot needs an error in {.arg period_u_s} or {.arg distance_u_m}, or none has one.",
+    x = "Those of pivot {bad[1]} are {format(tu[bad[1]])} s and {format(du[bad[1]])} m."
+  ), "value", call)
+}
+
 # T^2 = b k^2/d + b d with b = 4 pi^2/g, in T: weights by the errors of T and d, twice.
 pivots_least_squares <- function(period, d, tu, du, g, used) {
   x <- cbind(1 / d, d)
@@ -266,6 +280,7 @@ pivots_least_squares <- function(period, d, tu, du, g, used) {
   lever <- weight * rowSums((columns %*% inverse) * columns)
   e <- sqrt(weight) * r
   s2 <- sum(e[used]^2) / (m - k)
+  if (!all(is.finite(c(s2, inverse, p, p[1] / p[2], 4 * pi^2 / p[2])))) return(NULL)
   # Deleted residuals; of a pivot left out, its distance from the fit of the others.
   # NA where a used one alone determines a coefficient: the others say nothing about it.
   free <- 1 - lever

@@ -86,3 +86,17 @@ test_that("a pivot that alone determines a coefficient has no deleted residual",
   ))
   expect_identical(is.na(sharp$pivots$residual), c(TRUE, FALSE, FALSE))
 })
+
+test_that("errors that give no weights are refused, not taken by qr()", {
+  d <- c(0.1, 0.2, 0.3, 0.4)
+  period <- 2 * pi * sqrt((0.1 + d^2) / (9.81 * d))
+  for (u in list(1e-300, c(0, 0, 0, 0.001))) {
+    expect_error(fit_pivots(period, d, period_u_s = u), "Each pivot", class = "rotdyn_error_value")
+    expect_error(fit_pivots(period, d, distance_u_m = u), class = "rotdyn_error_value")
+  }
+  # An error of the other kind is enough.
+  mixed <- fit_pivots(period, d, period_u_s = c(0, 0, 0, 1e-3), distance_u_m = c(1, 1, 1, 0) / 1e3)
+  expect_equal(mixed$gravity_m_per_s2$value, 9.81, tolerance = 1e-9)
+  expect_error(fit_pivots(period, d, gravity_m_per_s2 = 1e-300), class = "rotdyn_error_value")
+  expect_error(fit_pivots(period, d * 1e-300), class = "rotdyn_error_value")
+})
