@@ -3,7 +3,7 @@
 # For each of `given` the most similar of `known`, where one is as similar as `least`. Of many, and
 # of long ones, that takes long and helps nobody: ten of up to 100 characters are looked at.
 near_names <- function(given, known, minimum = 0.5) {
-  given <- given[nchar(given, "bytes") <= 100L]
+  given <- given[!is.na(given) & nchar(given, "bytes") <= 100L]
   near <- lapply(utils::head(given, 10L), function(name) {
     score <- vapply(known, function(k) name_likeness(name, k), double(1))
     known[which.max(score)][max(score, 0) >= minimum]

@@ -127,3 +127,9 @@ test_that("what no such code makes is refused", {
   expect_error(scene_code(), class = "rotdyn_error_missing")
   expect_error(scene_code(law, code = 1), class = "rotdyn_error_argument")
 })
+
+test_that("what has no numbers is numeric(), which the constructors take", {
+  for (scene in list(scene_gears(1, numeric()), scene_rotors(1, numeric()))) {
+    expect_identical(scene_hash(eval(parse(text = scene_code(scene)))), scene_hash(scene))
+  }
+})

@@ -283,6 +283,10 @@ static made code_of(const rot_json *node, const char *name, int level, line_end 
     return code_of_made(name, arguments, level, end, to);
   default: break;
   }
+  if (!node->first) { /* such as the ratios of one body */
+    rot_write(to, "numeric()");
+    return CODE;
+  }
   if (rot_json_numbers(node)) return code_of_numbers(node, level, end, to);
   if (is_matrix(node)) return code_of_call("rbind", node, "", level, end, to);
   return code_of_call("list", node, name, level, end, to);
