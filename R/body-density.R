@@ -182,7 +182,8 @@ density_body <- function(found, run, method, name) {
       )
     ),
     error = found$errors[["second"]],
-    error_kind = "estimate"
+    error_kind = "estimate",
+    call = run$call
   )
 }
 

@@ -422,8 +422,8 @@ new_trajectory <- function(columns, n, run) {
 }
 
 # After a change of rows or columns: the class is kept with the key columns as numbers, the ledger
-# with the rows. The error figure of the run holds for any of its rows; the error of values that the run
-# did not compute is unknown.
+# with the rows. The error figure of the run holds for any of its rows; the error of values that the
+# run did not compute is unknown.
 reconstruct_trajectory <- function(data, template) {
   run <- trajectory_run(template)
   tibble_class <- c("tbl_df", "tbl", "data.frame")

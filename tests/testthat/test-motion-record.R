@@ -489,3 +489,10 @@ test_that("an angle is one column, and a heading that of one", {
   expect_error(motion_record(data), "2 columns `?theta_rad", class = "rotdyn_error_value")
   expect_error(motion_record(data.frame()), "There are no columns", class = "rotdyn_error_missing")
 })
+
+test_that("a column that is named NA is no column", {
+  data <- data.frame(time_s = 1:3, theta_rad = 1:3)
+  expect_error(
+    motion_record(data, omega_rpm = NA_character_), "no column", class = "rotdyn_error_argument"
+  )
+})
