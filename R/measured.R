@@ -303,18 +303,19 @@ Math.rot_measured <- function(x, ...) {
   if (.Generic == "log" && length(base)) {
     base <- check_number(base[[1]], "base", "1", call, lower = 0, open = TRUE)
     x$parts$u <- x$parts$u / (v * log(base))
-    return(combine_parts(log(v, base), x$parts, paste0("log(", x$name, ", ", format(base), ")"),
-      call))
+    value <- suppressWarnings(log(v, base))
+    return(combine_parts(value, x$parts, paste0("log(", x$name, ", ", format(base), ")"), call))
   }
-  slope <- switch(.Generic,
+  # What is no number is an error below, not a warning of R.
+  slope <- suppressWarnings(switch(.Generic,
     sqrt = 0.5 / sqrt(v), exp = exp(v), log = 1 / v, sin = cos(v), cos = -sin(v),
     tan = 1 / cos(v)^2, asin = 1 / sqrt(1 - v^2), acos = -1 / sqrt(1 - v^2), atan = 1 / (1 + v^2),
     # At 0 it has no derivative.
     abs = if (v == 0) NaN else sign(v),
     abort_operator(.Generic, call)
-  )
+  ))
   x$parts$u <- x$parts$u * slope
-  combine_parts(get(.Generic)(v), x$parts, paste0(.Generic, "(", x$name, ")"), call)
+  combine_parts(suppressWarnings(get(.Generic)(v)), x$parts, paste0(.Generic, "(", x$name, ")"), call)
 }
 
 #' @rdname measured

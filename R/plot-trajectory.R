@@ -87,9 +87,9 @@ compare_runs <- function(...) {
   of <- lapply(runs, trajectory_run)
   kinds <- vapply(of, function(run) class(run$scene)[1], "")
   if (length(unique(kinds)) > 1L) {
-    ids <- unique(vapply(of, function(run) constraint_of(run$scene)$id, ""))
+    makers <- sub("rot_", "", unique(kinds), fixed = TRUE)
     abort_rotdyn(
-      "The runs must be of one kind of scene; they are of {.val {ids}}.", "value", call
+      "The runs must be of one kind of scene; they are of {.fn {makers}}.", "value", call
     )
   }
   columns <- unique(unlist(lapply(runs, names)))

@@ -70,6 +70,13 @@ uncertainty_budget <- function(f, ..., correlation = NULL, level = 0.95, draws =
   labels <- rlang::names2(given)
   formals <- setdiff(names(formals(args(f))), "...")
   free <- setdiff(formals, labels)
+  # As R matches them, by the beginnings of names, too.
+  unknown <- labels[nzchar(labels) & is.na(pmatch(labels, formals))]
+  if (length(unknown) && !is.primitive(f) && !"..." %in% names(formals(f))) {
+    abort_rotdyn(c(
+      "{.arg f} has no argument {.arg {unknown[1]}}.", i = "It takes {.arg {formals}}."
+    ), "argument", call)
+  }
   blank <- which(!nzchar(labels))
   labels[blank] <- ifelse(
     seq_along(blank) <= length(free), free[seq_along(blank)], paste("argument", blank)
@@ -96,6 +103,7 @@ budget_of <- function(f, inputs, arg_names, correlation, level, draws, seed, cal
     if (is.null(names(y))) {
       names(y) <- if (length(y) == 1L) "y" else paste0("y", seq_along(y))
     }
+    storage.mode(y) <- "double"
     y
   }
   y <- evaluate(unname(x))

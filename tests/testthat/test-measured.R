@@ -172,3 +172,12 @@ test_that("a logarithm has the base that is given, and |x| no uncertainty at 0",
   expect_error(abs(measured(0, 1)), class = "rotdyn_error_value")
   expect_identical(abs(measured(-2, 1))$value, 2)
 })
+
+test_that("a value outside of the domain of a function is one error, without R's warning", {
+  outside <- list(quote(log(x)), quote(log(x, 2)), quote(sqrt(x)), quote(asin(x)), quote(acos(x)))
+  for (code in outside) {
+    expect_no_warning(expect_error(
+      eval(code, list(x = measured(-2, 0.1))), "not finite", class = "rotdyn_error_value"
+    ))
+  }
+})

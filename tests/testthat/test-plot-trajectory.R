@@ -210,3 +210,9 @@ test_that("a torque that jumps at an event is drawn as a jump", {
   expect_identical(max(times), 1L)
   expect_gt(max(table(line$time_s[line$line == "damping"])), 1L)
 })
+
+test_that("runs of two kinds are named by their constructors", {
+  swing <- trajectory(scene_pendulum(body_point(1), 0.5, theta0_rad = 1), 0:2)
+  expect_error(compare_runs(spin_up(), swing), "scene_axle.*scene_pendulum",
+               class = "rotdyn_error_value")
+})

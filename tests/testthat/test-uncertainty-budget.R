@@ -136,3 +136,16 @@ test_that("numbers without a name are the arguments that are left, in their orde
   expect_equal(budget$contributions$sensitivity, c(0.2, 0.01), tolerance = 1e-6)
   expect_equal(budget$contributions$share, c(4, 1) / 5, tolerance = 1e-6)
 })
+
+test_that("a name that the function does not take is said, and integers are numbers", {
+  x <- measured(1, 0.1)
+  expect_error(
+    uncertainty_budget(function(alpha) alpha, alpha = x, beta = x), "no argument",
+    class = "rotdyn_error_argument"
+  )
+  expect_equal(uncertainty_budget(function(alpha) alpha, al = x)$value[["y"]], 1)
+  expect_equal(uncertainty_budget(function(...) sum(...), a = x, b = x)$value[["y"]], 2)
+  whole <- uncertainty_budget(function(n) as.integer(n), n = measured(3, 0), draws = 0)
+  expect_type(whole$value, "double")
+  expect_output(print(whole), "y = 3")
+})
