@@ -62,7 +62,8 @@ coast_units <- list(
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_value` (a body at rest, one that speeds up),
 #'   `rotdyn_error_size` (fewer samples than 3 more than what is fitted), `rotdyn_error_argument`
 #'   (a torque without an inertia), `rotdyn_error_torque` (one that is not constant between jumps),
-#'   `rotdyn_error_range` (no fit; times or values beyond 1e-60 to 1e60).
+#'   `rotdyn_error_range` (no fit; times or values beyond 1e-60 to 1e60, an inertia whose
+#'   square is no double).
 #' @source Riccati's equation for the motion; Harville, J. Am. Stat. Assoc. 72, 320 (1977) for REML.
 #' @seealso [loss_budget()], [retarding_torque()], [compare_laws()], [motion_record()].
 #' @concept coast-down
@@ -89,9 +90,22 @@ fit_coast_down <- function(records, inertia = NULL, losses = c("coulomb", "visco
   level <- check_level(level, call)
   if (!is.null(inertia)) {
     inertia <- as_measured(inertia, "inertia", "kg*m^2", call, lower = 0, open = TRUE)
+    # Variances of torques have its square.
+    square <- inertia$value^2
+    if (!(square > .Machine$double.xmin && square < Inf)) {
+      abort_rotdyn(c(
+        "The square of {.arg inertia} exceeds double precision.",
+        x = "The inertia is {format(inertia$value)} kg m^2."
+      ), "range", call)
+    }
   }
   load <- as_coast_load(torque, inertia, call)
   samples <- coast_samples(records, call)
+  if (!length(samples)) {
+    abort_rotdyn(c(
+      "{.arg records} has no samples.", i = "A filter may have left none of its rows."
+    ), "size", call)
+  }
   runs <- lapply(seq_along(samples), function(i) {
     fit_run(samples[[i]], i, losses, load, inertia, runout, noise, call)
   })

@@ -601,3 +601,12 @@ test_that("of slow noise a run has the samples that its mean shows, of white noi
   # Half of the power at low frequency is slow, with tau = 1/2 of a sample: 99 and 100 samples.
   expect_equal(dof(0.5, 0.5), 4 / (1 / 99 + 1 / 100))
 })
+
+test_that("a record without rows, and an inertia whose square is no double, are errors", {
+  data <- data.frame(time_s = 0:20, omega_rad_per_s = 20 - 0:20 / 2)
+  record <- motion_record(data)
+  expect_error(fit_coast_down(record[0, ]), "no samples", class = "rotdyn_error_size")
+  for (inertia in c(1e300, 1e-300)) {
+    expect_error(fit_coast_down(record, inertia), "square", class = "rotdyn_error_range")
+  }
+})
