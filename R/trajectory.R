@@ -31,8 +31,8 @@
 #'   changes the law; a row between two steps takes a shorter one. They have no accuracy of their
 #'   own: `accuracy = 1` asks for none, and the error of each run is estimated by a second one with
 #'   half the step.
-#' @param event_rows TRUE: also a row at the time of each event between the first time and the last,
-#'   and a column `event` that names the event in each row at its time, asked for or added. A
+#' @param event_rows TRUE: also a row at each event of [motion_events()] between the first time and
+#'   the last, and a column `event` that names the event in each row at its time, asked for or added. A
 #'   [scene_incline()] has that column always, and takes the rows from the run itself; other scenes
 #'   are run again to the times of the events. FALSE: n times give n rows.
 #' @param resolution For torque laws, forces and clutches that are R functions: the width of the
