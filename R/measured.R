@@ -315,7 +315,8 @@ Math.rot_measured <- function(x, ...) {
     abort_operator(.Generic, call)
   ))
   x$parts$u <- x$parts$u * slope
-  combine_parts(suppressWarnings(get(.Generic)(v)), x$parts, paste0(.Generic, "(", x$name, ")"), call)
+  value <- suppressWarnings(get(.Generic)(v))
+  combine_parts(value, x$parts, paste0(.Generic, "(", x$name, ")"), call)
 }
 
 #' @rdname measured

@@ -233,8 +233,8 @@ fit_pivots <- function(period_s, distance_m, ..., distance_u_m = 0, period_u_s =
   )
 }
 
-# The weights are by the errors: none of them is 0 where others are not, nor so small that its square
-# is no double.
+# The weights are by the errors: none of them is 0 where others are not, nor so small that its
+# square is no double.
 check_pivot_errors <- function(period, d, tu, du, call) {
   relative <- pmax(tu / period, du / d)
   bad <- which(!(relative > 1e-100 & relative < 1e100))

@@ -67,14 +67,15 @@ scene_clutch <- function(body_1, body_2, capacity_n_m, ..., static_capacity_n_m 
       "{.arg {arg}} must have 2 numbers, one for each body; it has {length(x)}.", "value", call
     )
   }
-  scene_drive(
+  new_drive(
     list(body_1, body_2),
     coupling_clutch(
       capacity, static_ratio = if (capacity > 0) static / capacity else 1, from_s = engage_s
     ),
     torque = torque, resistance = resistance, brake = brake,
     theta0_rad = both_of(theta0_rad, "theta0_rad"),
-    omega0_rad_per_s = both_of(omega0_rad_per_s, "omega0_rad_per_s"), start_s = start_s
+    omega0_rad_per_s = both_of(omega0_rad_per_s, "omega0_rad_per_s"),
+    start_s = start_s, call = call
   )
 }
 

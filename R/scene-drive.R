@@ -200,6 +200,14 @@ scene_drive <- function(bodies, couplings = list(), ..., torque = NULL, resistan
   call <- current_env()
   check_supplied("bodies", call)
   check_no_dots(...)
+  new_drive(
+    bodies, couplings, torque, resistance, brake, theta0_rad, omega0_rad_per_s, start_s, call
+  )
+}
+
+# scene_drive(), for other constructors too: `call` is the user's.
+new_drive <- function(bodies, couplings, torque, resistance, brake, theta0_rad, omega0_rad_per_s,
+                      start_s, call) {
   inertia <- check_inertias(bodies, "bodies", call)
   n <- length(inertia)
   each <- function(x, arg, check) lapply(one_each(x, arg, n, call), check, call)

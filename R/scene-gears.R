@@ -23,11 +23,11 @@ scene_gears <- function(bodies, ratios, ..., efficiency = 1, torque = 0, resista
     gears <- Map(function(ratio, efficiency) coupling_gear(ratio, efficiency = efficiency),
       x$ratios,
                  x$efficiency)
-    return(scene_drive(
+    return(new_drive(
       bodies, gears, torque = x$torque, resistance = x$resistance, brake = loads$brake,
       theta0_rad = check_number(theta0_rad, "theta0_rad", "rad", call),
       omega0_rad_per_s = check_number(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", call),
-      start_s = start_s
+      start_s = start_s, call = call
     ))
   }
   finish_scene("axle", c(

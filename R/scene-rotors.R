@@ -64,11 +64,12 @@ scene_rotors <- function(bodies, stiffness_n_m_per_rad, damping_n_m_s = 0, ..., 
   damping <- each(damping_n_m_s, "damping_n_m_s", "N*m*s", n - 1L, 0)
   loads <- family_loads(torque, resistance, brake, n, call)
   if (loads$is_drive) {
-    return(scene_drive(
+    return(new_drive(
       bodies, Map(coupling_shaft, stiffness, damping), torque = loads$torque,
       resistance = loads$resistance, brake = loads$brake,
       theta0_rad = each(theta0_rad, "theta0_rad", "rad", n),
-      omega0_rad_per_s = each(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", n), start_s = start_s
+      omega0_rad_per_s = each(omega0_rad_per_s, "omega0_rad_per_s", "rad/s", n),
+      start_s = start_s, call = call
     ))
   }
   finish_scene("rotors", list(

@@ -76,3 +76,12 @@ test_that("plain messages have their lines with their signs", {
     "One.\n"
   )
 })
+
+test_that("errors of scenes that are drives show the constructor that the user called", {
+  call_of <- function(expr) tryCatch(expr, error = function(e) as.character(conditionCall(e)[[1]]))
+  expect_equal(call_of(scene_rotors(c(1, 2), 10, brake = 0)), "scene_rotors")
+  expect_equal(call_of(scene_rotors(c(1, 2), 10, brake = list(brake(1)))), "scene_rotors")
+  expect_equal(call_of(scene_gears(c(1, 2), 2, brake = 0)), "scene_gears")
+  expect_equal(call_of(scene_clutch(1, 2, 5, brake = 0)), "scene_clutch")
+  expect_equal(call_of(scene_clutch(1, 2, 5, brake = brake(1), start_s = NA)), "scene_clutch")
+})
