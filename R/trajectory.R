@@ -33,8 +33,8 @@
 #'   half the step.
 #' @param event_rows TRUE: also a row at each event of [motion_events()] between the first time and
 #'   the last, and a column `event` that names the event in each row at its time, asked for or
-#'   added. A [scene_incline()] has that column always, and takes the rows from the run itself; other
-#'   scenes are run again to the times of the events. FALSE: n times give n rows.
+#'   added. A [scene_incline()] has that column always, and takes the rows from the run itself;
+#'   other scenes are run again to the times of the events. FALSE: n times give n rows.
 #' @param resolution For torque laws, forces and clutches that are R functions: the width of the
 #'   narrowest change in time, in an angle or in a rate that is sure to be found, as a part of the
 #'   range of it that the motion visits, one number from 1e-5 to 1. The function is called along the
