@@ -72,6 +72,31 @@ style_class <- function(style) {
   paste0("p", match(style, page_styles$all))
 }
 
+# A text with the width that it has in Helvetica, by which the picture was laid out: another font is
+# squeezed to it. (DejaVu Sans is a sixth wider: labels were cut, or ran into each other.)
+with_length <- function(element) {
+  words <- sub(".*>", "", element)
+  for (one in c("<lt", ">gt", "'#39", "\"quot", "&amp")) {
+    words <- gsub(paste0("&", substring(one, 2), ";"), substr(one, 1, 1), words, fixed = TRUE)
+  }
+  if (grepl("[^ -~]", words)) return(element)
+  size <- as.numeric(sub(".*font-size: ([0-9.]+)px.*", "\\1", element))
+  long <- helvetica_width(words, size, grepl("font-weight: bold", element))
+  sub(">", paste0(" textLength='", short_number(long), "' lengthAdjust='spacingAndGlyphs'>"), element)
+}
+
+# Widths in points, by a device of Helvetica that draws nothing.
+helvetica_width <- function(words, size, bold) {
+  shown <- grDevices::dev.cur()
+  grDevices::pdf(NULL)
+  on.exit({
+    grDevices::dev.off()
+    if (shown > 1L) grDevices::dev.set(shown)
+  })
+  graphics::plot.new()
+  graphics::strwidth(words, "inches", cex = size / 12, font = if (bold) 2L else 1L) * 72
+}
+
 # The SVG of a file for a page: alternative text, short numbers, classes for styles.
 svg_in_page <- function(path, alt) {
   svg <- paste(readLines(path, encoding = "UTF-8", warn = FALSE), collapse = "\n")
@@ -87,8 +112,9 @@ svg_in_page <- function(path, alt) {
     number <- sub(".*'(.*)'", "\\1", one)
     sub("'.*", paste0("='", short_number(as.numeric(number)), "'"), sub("=", "", one))
   })
-  # Identifiers hold for the whole page.
-  body <- gsub("cp([A-Za-z0-9+/=]+)", paste0("c", page_styles$pictures, "\\1"), body)
+  # Identifiers hold for the whole page. A map has any letters in its data.
+  body <- gsub("(id='|url\\(#)cp", paste0("\\1c", page_styles$pictures), body)
+  body <- replace_each(body, "<text [^>]*>[^<]{9,}(?=</text>)", with_length)
   body <- replace_each(body, "style='[^']*'", function(one) {
     paste0("class='", style_class(gsub("^style='|'$", "", one)), "'")
   })

@@ -345,7 +345,7 @@ static rot_status modes_row(void *model, size_t i) {
   double theta[ROT_LINKS_MAX], omega[ROT_LINKS_MAX], sum;
   rot_links_swing_at(links, &run->c->modes, &run->swing, run->time_s[i] - run->c->start_s, theta,
                      omega, &sum);
-  const rot_system_state state = {theta, none, omega, 0};
+  const rot_system_state state = {.q = theta, .q_low = none, .v = omega};
   row(run->c, &state, i * links->n, run->rows->column);
   for (size_t k = 0; k < links->n; k++) rot_note_state(run->info, theta[k], omega[k]);
   if (run->rows->flow) {
