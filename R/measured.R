@@ -17,8 +17,8 @@
 #' @param dof Degrees of freedom of `u`, above 0; Inf where it is not from readings.
 #' @param name Name in budgets; by default the expression given.
 #' @param x,e1,e2 Measured numbers.
-#' @param ... For `print()` and `as.double()`: not used. For `c()` and `sum()`: measured numbers and
-#'   plain ones; the first is measured.
+#' @param ... For `print()`, `as.double()` and `mean()`: not used. For `c()` and `sum()`: measured
+#'   numbers and plain ones; the first is measured.
 #' @param na.rm Not used: no measured number is missing.
 #' @param digits For `format()`: digits of the uncertainty.
 #' @return `measured()`: an object of class `rot_measured`, a list with `value`, `u`, `dof`, `name`
@@ -26,7 +26,8 @@
 #'   of the unknowns that have a standard error. `as.double()` gives the value, `c()` the values of
 #'   several, with their names.
 #'
-#'   `format()`: the concise form, `127.732(71)`. NA, NaN and Inf are errors.
+#'   `format()`: the concise form, `127.732(71)`. NA, NaN and Inf are errors, as are `mean()`,
+#'   `max()` and `round()`: `(a + b) / 2` is the mean of two.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
 #'   `rotdyn_error_missing`, `rotdyn_error_argument`.
 #' @source JCGM 100:2008, Guide to the expression of uncertainty in measurement, clauses 5.1 and
@@ -318,6 +319,10 @@ Math.rot_measured <- function(x, ...) {
   value <- suppressWarnings(get(.Generic)(v))
   combine_parts(value, x$parts, paste0(.Generic, "(", x$name, ")"), call)
 }
+
+#' @rdname measured
+#' @export
+mean.rot_measured <- function(x, ...) abort_operator("mean", current_env())
 
 #' @rdname measured
 #' @export

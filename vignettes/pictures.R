@@ -82,7 +82,8 @@ with_length <- function(element) {
   if (grepl("[^ -~]", words)) return(element)
   size <- as.numeric(sub(".*font-size: ([0-9.]+)px.*", "\\1", element))
   long <- helvetica_width(words, size, grepl("font-weight: bold", element))
-  sub(">", paste0(" textLength='", short_number(long), "' lengthAdjust='spacingAndGlyphs'>"), element)
+  squeezed <- paste0(" textLength='", short_number(long), "' lengthAdjust='spacingAndGlyphs'>")
+  sub(">", squeezed, element)
 }
 
 # Widths in points, by a device of Helvetica that draws nothing.

@@ -155,6 +155,7 @@ test_that("sum() is that of `+`; other summaries are refused", {
   expect_equal(sum(a, a)$u, 0.2)
   expect_identical(sum(a, -a)$u, 0)
   expect_identical(sum(a, b, na.rm = TRUE)$value, 5)
+  expect_error(mean(a), class = "rotdyn_error_type")
   expect_error(sum(a, "1"), class = "rotdyn_error_type")
   expect_error(sum(a, NA), class = "rotdyn_error")
   expect_error(sum(a, 1:3), class = "rotdyn_error")

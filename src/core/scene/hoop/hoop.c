@@ -2,17 +2,15 @@
 
 #include <float.h>
 #include <math.h>
-#include <string.h>
 
 #include "engine/ode/system.h"
-#include "ground/dd_trig.h"
+#include "maths/angle.h"
 
 /* Units of the inputs below. turn: rate of the hoop about the vertical; drag: N s/m; start: s. */
 typedef struct hoop {
   double mass, radius, turn, theta0, omega0, drag, mu_static, mu_kinetic, gravity, start;
-  double inertia, weight; /* m R^2, m g R */
-  double sine0, cosine0;  /* of theta0 */
-  double lifts;           /* turn^2 cos(theta0) - g/R: 0 where the bead rests */
+  double inertia, weight, lifts; /* m R^2, m g R, turn^2 cos(theta0) - g/R */
+  rot_angle from;                /* theta0 */
 } hoop;
 
 /* ---- inputs ---------------------------------------------------------------------------------- */
@@ -31,30 +29,19 @@ static const rot_input inputs[] = {
     ROT_NUMBER_INPUT("start_s", "s", 0, -DBL_MAX, 0, 0.0, "when the state above holds")};
 /* clang-format on */
 
-/* turn^2 cos(theta0) - g/R loses all digits where the bead rests: in twice the precision. */
-static void note_start(hoop *h) {
-  rot_dd sine = {sin(h->theta0), 0.0}, cosine = {cos(h->theta0), 0.0};
-  if (fabs(h->theta0) < 1e15) rot_dd_sine_cosine((rot_dd){h->theta0, 0.0}, &sine, &cosine);
-  const rot_dd out = rot_dd_mul(rot_dd_mul2(h->turn, h->turn), cosine);
-  const rot_dd pull = rot_dd_div((rot_dd){h->gravity, 0.0}, (rot_dd){h->radius, 0.0});
-  h->sine0 = sine.hi;
-  h->cosine0 = cosine.hi;
-  h->lifts = rot_dd_sub(out, pull).hi;
-  if (!isfinite(h->lifts)) h->lifts = h->turn * h->turn * h->cosine0 - h->gravity / h->radius;
-}
-
 static rot_status build(const rot_given given[], rot_store *store, void *to, rot_refusal *no) {
   (void)store;
   hoop *h = to;
   if (rot_resistance_numbers(ROT_COUNT(inputs), inputs, given, to, no)) return ROT_EVALUE;
   h->inertia = h->mass * h->radius * h->radius;
   h->weight = h->mass * h->gravity * h->radius;
+  h->from = rot_angle_from(h->theta0);
+  /* 0 where the bead rests: in twice the precision. */
+  const rot_dd pull = rot_dd_div((rot_dd){h->gravity, 0.0}, (rot_dd){h->radius, 0.0});
+  h->lifts = rot_dd_sub(rot_dd_mul(rot_dd_mul2(h->turn, h->turn), h->from.cosine), pull).hi;
   const double rates = h->turn * h->turn + h->gravity / h->radius + h->drag / h->mass;
-  if (!(h->inertia * rates < INFINITY)) {
-    return rot_refuse(no, 0, "leaves energies or rates beyond double precision");
-  }
-  note_start(h);
-  return ROT_OK;
+  if (h->inertia * rates < INFINITY) return ROT_OK;
+  return rot_refuse(no, 0, "leaves energies or rates beyond double precision");
 }
 
 /* ---- motion ---------------------------------------------------------------------------------- */
@@ -66,14 +53,12 @@ typedef struct forces {
 
 /* By differences from the start: about a rest that is not the lowest point gravity and the
  * centrifugal force cancel, and 1e-9 rad/s was off by 1e-7 of itself. */
-static forces forces_at(const hoop *h, const rot_system_state *at) {
-  const double half = 0.5 * *at->moved, s = sin(half), c = cos(half), omega = *at->v;
-  const double lost = -2.0 * s * (c * h->sine0 + s * h->cosine0); /* cos theta - cos theta0 */
-  const double sine = h->sine0 + 2.0 * s * (c * h->cosine0 - s * h->sine0);
-  const double cosine = h->cosine0 + lost, square = h->turn * h->turn;
-  const double in_plane = h->gravity / h->radius * cosine + omega * omega + square * sine * sine;
-  return (forces){sine, cosine, (h->lifts + square * lost) * sine,
-                  hypot(in_plane, 2.0 * h->turn * cosine * omega)};
+static forces forces_at(const hoop *h, double moved, double omega) {
+  const rot_angle_now at = rot_angle_after(&h->from, moved);
+  const double square = h->turn * h->turn, out = square * at.sine * at.sine;
+  const double in_plane = h->gravity / h->radius * at.cosine + omega * omega + out;
+  return (forces){at.sine, at.cosine, (h->lifts + square * at.change) * at.sine,
+                  hypot(in_plane, 2.0 * h->turn * at.cosine * omega)};
 }
 
 static const char *const flows[] = {"work_j", "dissipated_j", "torque_impulse_n_m_s"};
@@ -82,12 +67,11 @@ enum { WORK, HEAT, IMPULSE };
 static void slopes(const void *scene, const rot_system_state *at, double acceleration[],
                    double flow[], double *drive) {
   const hoop *h = scene;
-  const forces f = forces_at(h, at);
-  const double omega = *at->v;
-  const double rubs = h->drag / h->mass * omega + h->mu_kinetic * f.normal * at->sign;
+  const forces f = forces_at(h, *at->moved, *at->v);
+  const double rubs = h->drag / h->mass * *at->v + h->mu_kinetic * f.normal * at->sign;
   acceleration[0] = f.along - rubs;
-  flow[HEAT] = h->inertia * rubs * omega;
-  flow[IMPULSE] = 2.0 * h->inertia * h->turn * f.sine * f.cosine * omega;
+  flow[HEAT] = h->inertia * rubs * *at->v;
+  flow[IMPULSE] = 2.0 * h->inertia * h->turn * f.sine * f.cosine * *at->v;
   flow[WORK] = flow[IMPULSE] * h->turn;
   if (drive) *drive = f.along / fmax(f.normal, DBL_MIN);
 }
@@ -102,14 +86,12 @@ static const rot_column_of columns[] = {
 
 static void row(const void *scene, const rot_system_state *at, size_t i, void *const column[]) {
   const hoop *h = scene;
-  const forces f = forces_at(h, at);
-  const double omega = *at->v, round = h->turn * f.sine, half = sin(0.5 * *at->q);
-  const double value[] = {*at->q,
-                          omega,
-                          2.0 * h->inertia * round * f.cosine * omega,
-                          h->mass * h->radius * f.normal,
-                          0.5 * h->inertia * (omega * omega + round * round),
-                          2.0 * h->weight * half * half};
+  const double omega = *at->v, half = sin(0.5 * *at->q);
+  const forces f = forces_at(h, *at->moved, omega);
+  const double round = h->turn * f.sine, torque = 2.0 * h->inertia * round * f.cosine * omega;
+  const double kinetic = 0.5 * h->inertia * (omega * omega + round * round);
+  const double normal = h->mass * h->radius * f.normal, potential = 2.0 * h->weight * half * half;
+  const double value[] = {*at->q, omega, torque, normal, kinetic, potential};
   for (size_t k = 0; k < ROT_COUNT(columns); k++) ((double *)column[k])[i] = value[k];
 }
 
@@ -121,8 +103,7 @@ static void time_scales(const void *scene, const double sizes[], rot_time_scales
 
 static rot_system_start start(const void *scene) {
   const hoop *h = scene;
-  const rot_system_state state = {.moved = &(double){0.0}, .v = &h->omega0};
-  const forces f = forces_at(h, &state);
+  const forces f = forces_at(h, 0.0, h->omega0);
   const double acts = fabs(f.along) + h->mu_kinetic * f.normal;
   return (rot_system_start){1,        1,    &h->theta0,          &h->omega0,
                             h->start, acts, h->mu_static != 0.0, h->mu_static};
@@ -156,7 +137,7 @@ static void audit(const void *scene, const rot_span *s, double term[]) {
   const double round = 0.5 * h->turn * momentum, heat = s->flow[HEAT];
   const double value[] = {along + round, height, s->flow[WORK], heat,     along,
                           height,        -round, heat,          momentum, s->flow[IMPULSE]};
-  memcpy(term, value, sizeof value);
+  for (size_t k = 0; k < ROT_COUNT(terms); k++) term[k] = value[k];
 }
 
 static size_t conserved(const void *scene, size_t balance, const char *why[]) {
