@@ -183,7 +183,7 @@ take_receipt <- function(run, chunk, receipt) {
     run$able <- TRUE
     run$seconds <- utils::tail(c(run$seconds, receipt$seconds), 999L)
     # Each daemon has another chunk at hand: it does not wait.
-    run$pause <- min(0.25, max(0.001, receipt$seconds / 4))
+    run$pause <- min(0.25, max(0.001, receipt$seconds / 2))
     return(close_chunk(run, chunk))
   }
   e <- daemon_condition(receipt$class, receipt$message)

@@ -157,20 +157,31 @@ package_sweeps <- function(program, n = 2^18) {
   threads_figure("the same of 2^22 rows", run, child(program, "1 axle_drag", u))
 }
 
-# Processor time of a coordinator for a chunk, beside that of reading the sums at the end.
-coordinator <- function(n = 512) {
+# Processor time of a coordinator for a further chunk, beside that of reading its sums at the end,
+# and that of mirai for a task alone.
+coordinator <- function() {
   processor_s <- function(code) {
     took <- system.time(code)
     took[["user.self"]] + took[["sys.self"]]
   }
-  folder <- file.path(scratch, "coordinator")
   mirai::daemons(2)
   on.exit(mirai::daemons(0))
   mirai::everywhere(loadNamespace("rotdyn"))[]
-  plan <- sweep_plan(wheel, 2, three_inputs(n * 65536), seven[1], keep = "summary",
-                     chunk_rows = 65536)
-  run_s <- processor_s(sweep_run(plan, folder))
-  (run_s - processor_s(sweep_read(folder))) / n * 1e3
+  beside_reading <- function(n) {
+    folder <- tempfile("coordinator-", scratch)
+    plan <- sweep_plan(wheel, 2, three_inputs(n * 65536), seven[1], keep = "summary",
+                       chunk_rows = 65536)
+    run_s <- processor_s(sweep_run(plan, folder))
+    run_s - processor_s(sweep_read(folder))
+  }
+  tasks <- function(n) processor_s(for (task in lapply(seq_len(n), function(i) {
+    mirai::mirai(job, .args = list(job = list(i)))
+  })) task[])
+  tasks(50)
+  beside_reading(64)
+  c(
+    chunk = (beside_reading(1024) - beside_reading(128)) / 896 * 1e3, task = tasks(1000)
+  )
 }
 
 # Numbers of Sobol's sequence in the core, and rows of a design in R.
@@ -222,7 +233,8 @@ if ("--billion" %in% args || any(startsWith(args, "--rows="))) {
   core_threads(program)
   designs(program)
   package_sweeps(program)
-  figure("two daemons: the coordinator for a chunk", or_not_measured(coordinator()), 0.5,
-         unit = " ms")
+  of_two <- or_not_measured(coordinator())
+  figure("two daemons: the coordinator for a chunk", of_two[1], 0.5, unit = " ms")
+  figure("  mirai alone for a task", of_two[2], unit = " ms")
 }
 unlink(scratch, recursive = TRUE)
