@@ -94,8 +94,8 @@ fit_coast_down <- function(records, inertia = NULL, losses = c("coulomb", "visco
     square <- inertia$value^2
     if (!(square > .Machine$double.xmin && square < Inf)) {
       abort_rotdyn(c(
-        "The square of {.arg inertia} exceeds double precision.",
-        x = "The inertia is {format(inertia$value)} kg m^2."
+        "The square of {.arg inertia} is beyond double precision.",
+        x = "The inertia is {format(inertia$value)} kg m^2.", i = "It is wanted in kg m^2."
       ), "range", call)
     }
   }

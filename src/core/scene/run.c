@@ -131,8 +131,8 @@ static inline uint64_t carry_of(const char *x) {
   return (bits & UINT64_C(0x7ff0000000000000)) + UINT64_C(0x0010000000000000);
 }
 
-/* The same of n numbers. Each by its own load: one for two numbers that were just stored waits for
- * both. */
+/* => 1 if one of n numbers is. Each by its own load: one for two numbers that were just stored
+ * waits for both. */
 static uint64_t carries_of(size_t n, const void *x) {
   enum { EACH = sizeof(double) };
   const char *at = x;

@@ -255,6 +255,35 @@ static void built_scenes(void) {
   rot_object_free(wheel);
 }
 
+/* Inputs that a varying one bounds, and those of which an item varies, are checked with it. */
+static void inputs_that_follow(void) {
+  static const double x[] = {0.1, 20.0, 0.4}, y[] = {0.5, 0.2, 1.0};
+  static const char *const friction[] = {"static_friction"}, *const item[] = {"bodies[1]"};
+  rot_object *slope = make_slope(x), *rotors = make_rotors(y);
+  rot_variants *v;
+  rot_refusal no;
+  const void *scene;
+  put(slope, "kinetic_friction", 0.3);
+  ROT_CHECK(rot_variants_new(slope, 1, friction, &v, &no) == ROT_OK);
+  rot_variants_set(v, 0, 0.2);
+  ROT_CHECK(rot_variants_build(v, &scene, &no) == ROT_EVALUE);
+  ROT_CHECK(strstr(no.reason, "at most `static_friction`") != NULL);
+  ROT_CHECK_EQ_INT(no.input, rot_input_named(slope->n, slope->inputs, "kinetic_friction"));
+  rot_variants_set(v, 0, 0.3);
+  ROT_CHECK(rot_variants_build(v, &scene, &no) == ROT_OK);
+  rot_variants_free(v);
+  ROT_CHECK(rot_variants_new(rotors, 1, item, &v, &no) == ROT_OK);
+  rot_variants_set(v, 0, -1.0);
+  ROT_CHECK(rot_variants_build(v, &scene, &no) == ROT_EVALUE);
+  ROT_CHECK(strstr(no.reason, "item 1 must be greater than 0") != NULL);
+  ROT_CHECK_EQ_INT(no.input, rot_input_named(rotors->n, rotors->inputs, "bodies"));
+  rot_variants_set(v, 0, 0.7);
+  ROT_CHECK(rot_variants_build(v, &scene, &no) == ROT_OK);
+  rot_variants_free(v);
+  rot_object_free(slope);
+  rot_object_free(rotors);
+}
+
 int main(void) {
   numbers_of_a_wheel();
   numbers_of_lists_and_vectors();
@@ -263,5 +292,6 @@ int main(void) {
   derived_numbers();
   no_scenes();
   built_scenes();
+  inputs_that_follow();
   return rot_test_report("variants");
 }
