@@ -131,7 +131,8 @@ check_free_folder <- function(plan, folder, call) {
     startsWith(found, ".rotdyn-")
   parts <- dir(file.path(folder, c("rows", "sums")))
   foreign <- vapply(dir(file.path(folder, "sums"), full.names = TRUE), function(path) {
-    is_sealed(path) && part_about(path)$rotdyn_run != plan$hash
+    about <- sealed_about(path)
+    !is.null(about) && about$run != plan$hash
   }, NA)
   if (all(own) && length(chunk_of_part(parts)) == length(parts) && !any(foreign)) return()
   abort_rotdyn(c(
@@ -321,7 +322,11 @@ put_parquet <- function(x, path, metadata) {
 seal_mark <- "xxh128:"
 open_seal <- paste0(seal_mark, strrep("0", 32L))
 
-# NULL, or list(at, found, wanted): the place of the seal, what stands there, and what should.
+# The pair of a sums file with what it says of its chunk, a JSON object without others in it.
+about_key <- "rotdyn_about"
+
+# NULL, or list(bytes, at, found, wanted): the file's, the place of the seal, what stands there, and
+# what should.
 seal_of <- function(path) {
   bytes <- readBin(path, "raw", file.size(path))
   at <- grepRaw(seal_mark, bytes, fixed = TRUE, all = TRUE) + nchar(seal_mark)
@@ -329,7 +334,7 @@ seal_of <- function(path) {
   digits <- at + 0:31
   found <- bytes[digits]
   bytes[digits] <- charToRaw("0")
-  list(at = at, found = found, wanted = charToRaw(.Call(ffi_hash, list(bytes))))
+  list(bytes = bytes, at = at, found = found, wanted = charToRaw(.Call(ffi_hash, list(bytes))))
 }
 
 seal_file <- function(path) {
@@ -340,9 +345,18 @@ seal_file <- function(path) {
   writeBin(seal$wanted, con)
 }
 
-is_sealed <- function(path) {
-  seal <- tryCatch(suppressWarnings(seal_of(path)), error = function(e) NULL)
-  !is.null(seal) && identical(seal$found, seal$wanted)
+# What a sums file says of its chunk, a list of texts; NULL where the seal is broken. Its bytes are
+# at hand: nanoparquet::read_parquet_metadata() takes 3.3 ms of the 4.1 that a part would take.
+sealed_about <- function(path) {
+  tryCatch(suppressWarnings({
+    seal <- seal_of(path)
+    if (!is.null(seal) && identical(seal$found, seal$wanted)) {
+      key <- grepRaw(about_key, seal$bytes, fixed = TRUE)
+      from <- grepRaw("{", seal$bytes, fixed = TRUE, offset = key)
+      to <- grepRaw("}", seal$bytes, fixed = TRUE, offset = from)
+      yyjsonr::read_json_str(rawToChar(seal$bytes[from:to]))
+    }
+  }), error = function(e) NULL)
 }
 
 # Writes a table under a temporary name, reads its footer back, and gives it its name. Nothing is
@@ -362,7 +376,7 @@ write_part <- function(x, folder, kind, chunk, metadata, call, sealed = FALSE) {
       written <- list(
         size = file.size(work), hash = rlang::hash_file(work), end = hash_of_end(work)
       )
-      whole <- read$num_rows == nrow(x) && (!sealed || is_sealed(work))
+      whole <- read$num_rows == nrow(x) && (!sealed || !is.null(sealed_about(work)))
       if (whole) "" else "It was not written whole."
     }),
     error = function(e) conditionMessage(e)
@@ -414,12 +428,14 @@ commit_chunk <- function(plan, folder, chunk, threads, progress, call) {
     ), call)
   }
   sums <- as.data.frame(found$sums)
-  write_part(sums, folder, "sums", chunk, c(
-    rotdyn_run = plan$hash, rotdyn_chunk = number(chunk), rotdyn_rows_kept = number(kept),
-    rotdyn_rows_bytes = number(file$size), rotdyn_rows_hash = rows_hash,
-    rotdyn_rows_file = file$hash, rotdyn_rows_end = file$end,
-    rotdyn_checksum = checksum_text(found$checksum)
-  ), call, sealed = TRUE)
+  about <- list(
+    run = plan$hash, chunk = number(chunk), rows_kept = number(kept),
+    rows_bytes = number(file$size), rows_hash = rows_hash, rows_file = file$hash,
+    rows_end = file$end, checksum = checksum_text(found$checksum)
+  )
+  write_part(
+    sums, folder, "sums", chunk, stats::setNames(json_text(about), about_key), call, sealed = TRUE
+  )
   list(
     chunk = chunk, rows = range[2], kept = kept, bytes = file$size,
     seconds = proc.time()[[3L]] - start
@@ -439,41 +455,30 @@ check_still_there <- function(plan, folder, call) {
   ), "file", call)
 }
 
-# The pairs of names and texts of a Parquet file; none where it cannot be read.
-part_about <- function(path) {
-  tryCatch(
-    {
-      pairs <- nanoparquet::read_parquet_metadata(path)$file_meta_data$key_value_metadata[[1]]
-      stats::setNames(as.list(pairs$value), pairs$key)
-    },
-    error = function(e) list()
-  )
-}
-
 # The sums of a committed chunk: list(sums, checksum, kept, about); or list(fault), in words.
 look_at_part <- function(plan, folder, chunk) {
   path <- file.path(folder, "sums", part_name(chunk))
   if (!file.exists(path)) return(list(fault = "not done"))
-  if (!is_sealed(path)) return(list(fault = "its sums are damaged"))
+  about <- sealed_about(path)
+  if (is.null(about)) return(list(fault = "its sums are damaged"))
   sums <- tryCatch(as.list(nanoparquet::read_parquet(path)), error = function(e) NULL)
-  about <- part_about(path)
-  if (is.null(sums) || !length(about)) return(list(fault = "its sums cannot be read"))
-  if (about$rotdyn_run != plan$hash) return(list(fault = "its sums are of another sweep"))
-  if (as.double(about$rotdyn_chunk) != chunk) return(list(fault = "its sums are of another chunk"))
+  if (is.null(sums)) return(list(fault = "its sums cannot be read"))
+  if (about$run != plan$hash) return(list(fault = "its sums are of another sweep"))
+  if (as.double(about$chunk) != chunk) return(list(fault = "its sums are of another chunk"))
   if (plan$keep != "summary") {
     rows <- file.path(folder, "rows", part_name(chunk))
     if (!file.exists(rows)) return(list(fault = "its rows are missing"))
-    if (!identical(file.size(rows), as.double(about$rotdyn_rows_bytes))) {
+    if (!identical(file.size(rows), as.double(about$rows_bytes))) {
       return(list(fault = "its rows are cut, or of another chunk"))
     }
     end <- tryCatch(hash_of_end(rows), error = function(e) "")
-    if (end != about$rotdyn_rows_end) {
+    if (end != about$rows_end) {
       return(list(fault = "its rows are damaged, or of another chunk"))
     }
   }
   list(
-    sums = sums, checksum = checksum_of_text(about$rotdyn_checksum),
-    kept = as.double(about$rotdyn_rows_kept), about = about
+    sums = sums, checksum = checksum_of_text(about$checksum),
+    kept = as.double(about$rows_kept), about = about
   )
 }
 
@@ -487,9 +492,9 @@ read_sums_part <- function(plan, folder, chunk) {
 read_rows_part <- function(folder, chunk, about) {
   path <- file.path(folder, "rows", part_name(chunk))
   file <- tryCatch(rlang::hash_file(path), error = function(e) "")
-  if (file != about$rotdyn_rows_file) return(NULL)
+  if (file != about$rows_file) return(NULL)
   rows <- tryCatch(as.data.frame(nanoparquet::read_parquet(path)), error = function(e) NULL)
-  if (!is.null(rows) && columns_hash(rows) == about$rotdyn_rows_hash) rows
+  if (!is.null(rows) && columns_hash(rows) == about$rows_hash) rows
 }
 
 # Chunks that are done: their part of sums/ can be used, and so can that of rows/, where the plan

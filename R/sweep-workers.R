@@ -6,9 +6,9 @@ has_daemons <- function(compute) {
   isNamespaceLoaded("mirai") && isTRUE(mirai::daemons_set(compute))
 }
 
-# Seconds: between looks at the connections; without daemons before a message; beyond 10 medians
-# until a chunk is given out again; with no other daemons than those that lack the package; until a
-# network file system shows a new file.
+# Seconds: between looks at the connections, at least; without daemons before a message; beyond 10
+# medians until a chunk is given out again; with no other daemons than those that lack the package;
+# until a network file system shows a new file.
 coordinator_times <- function() {
   list(look = 0.5, nobody = 60, overdue = 60, unable = 10, late_file = 5)
 }
@@ -28,7 +28,8 @@ run_by_daemons <- function(plan, folder, todo, threads, compute, call) {
     give_out(run)
     collect_receipts(run)
     bar(1 - run$left / length(todo))
-    if (run$left > 0) Sys.sleep(run$pause)
+    # The last receipts are waited for.
+    if (run$left > 0) Sys.sleep(if (run$given < length(todo)) run$pause else run$pause / 10)
   }
   abort_failed_chunks(run$failed, call)
 }
@@ -50,7 +51,9 @@ new_coordination <- function(plan, folder, todo, threads, compute, call) {
   run$flight <- list()
   run$failed <- list()
   run$seconds <- double()
-  run$pause <- 0.01
+  run$receipts <- 0
+  set_waits(run, plan$row_s * plan$chunk_rows)
+  run$pause <- min(run$pause, 0.25)
   run$connections <- 0
   run$looked <- -Inf
   run$able <- FALSE
@@ -68,10 +71,17 @@ new_coordination <- function(plan, folder, todo, threads, compute, call) {
 
 clock_s <- function() proc.time()[[3L]]
 
+# Chunks at hand beside the one that a daemon computes, for 0.25 s of work; seconds between looks at
+# the receipts: half of that work, so that no daemon waits.
+set_waits <- function(run, chunk_s) {
+  run$ahead <- min(16, max(1, ceiling(0.25 / chunk_s)))
+  run$pause <- min(5, max(0.001, run$ahead * chunk_s / 2))
+}
+
 # ---- daemons ------------------------------------------------------------------------------------
 
 look_at_daemons <- function(run, now = clock_s()) {
-  if (now - run$looked < run$times$look) return()
+  if (now - run$looked < max(run$times$look, run$pause)) return()
   run$looked <- now
   known <- suppressWarnings(as.integer(mirai::status(run$compute)$connections))
   run$connections <- if (length(known) && !is.na(known[1])) known[1] else 0L
@@ -119,10 +129,10 @@ mark_overdue <- function(run, now) {
 
 # ---- chunks -------------------------------------------------------------------------------------
 
-# Twice as many as there are daemons, and one. Overdue ones do not count: they may never come back.
+# One more than the daemons have at hand. Overdue ones do not count: they may never come back.
 give_out <- function(run) {
   waiting <- sum(!vapply(run$flight, `[[`, NA, "doubled"))
-  while (waiting < 2 * run$connections + 1) {
+  while (waiting < (1 + run$ahead) * run$connections + 1) {
     chunk <- next_chunk(run)
     if (is.null(chunk)) return()
     run$flight[[length(run$flight) + 1L]] <- list(
@@ -181,9 +191,9 @@ take_receipt <- function(run, chunk, receipt) {
   if (mirai::is_error_value(receipt)) return(lose_chunk(run, chunk, receipt))
   if (is.null(receipt$class)) {
     run$able <- TRUE
-    run$seconds <- utils::tail(c(run$seconds, receipt$seconds), 999L)
-    # Each daemon has another chunk at hand: it does not wait.
-    run$pause <- min(0.25, max(0.001, receipt$seconds / 2))
+    run$seconds[run$receipts %% 99 + 1] <- receipt$seconds
+    run$receipts <- run$receipts + 1
+    set_waits(run, receipt$seconds)
     return(close_chunk(run, chunk))
   }
   e <- daemon_condition(receipt$class, receipt$message)

@@ -157,31 +157,52 @@ package_sweeps <- function(program, n = 2^18) {
   threads_figure("the same of 2^22 rows", run, child(program, "1 axle_drag", u))
 }
 
-# Processor time of a coordinator for a further chunk, beside that of reading its sums at the end,
-# and that of mirai for a task alone.
-coordinator <- function() {
-  processor_s <- function(code) {
-    took <- system.time(code)
-    took[["user.self"]] + took[["sys.self"]]
+# Processor time of this process, s: of R's own thread, where the system tells (Linux), and of all,
+# among them those in which mirai sends and receives.
+processor_s <- function(code) {
+  own <- function() {
+    path <- sprintf("/proc/self/task/%d/schedstat", Sys.getpid())
+    if (file.exists(path)) scan(path, quiet = TRUE)[1] / 1e9 else NA_real_
   }
+  from <- own()
+  took <- system.time(code)
+  c(own = own() - from, all = took[["user.self"]] + took[["sys.self"]])
+}
+
+# Milliseconds of a coordinator of two daemons for a further chunk, of reading its sums, and of a
+# task of mirai alone, given out as chunks are: when another one is done.
+coordinator <- function() {
   mirai::daemons(2)
   on.exit(mirai::daemons(0))
   mirai::everywhere(loadNamespace("rotdyn"))[]
-  beside_reading <- function(n) {
+  internal <- getNamespace("rotdyn")
+  chunks <- function(n) {
     folder <- tempfile("coordinator-", scratch)
     plan <- sweep_plan(wheel, 2, three_inputs(n * 65536), seven[1], keep = "summary",
                        chunk_rows = 65536)
-    run_s <- processor_s(sweep_run(plan, folder))
-    run_s - processor_s(sweep_read(folder))
+    sweep_create(plan, folder)
+    made <- internal$read_plan(folder, NULL)
+    list(
+      processor_s(internal$complete_folder(made, folder, 1, NULL, NULL)),
+      processor_s(sweep_read(folder))
+    )
   }
-  tasks <- function(n) processor_s(for (task in lapply(seq_len(n), function(i) {
-    mirai::mirai(job, .args = list(job = list(i)))
-  })) task[])
-  tasks(50)
-  beside_reading(64)
-  c(
-    chunk = (beside_reading(1024) - beside_reading(128)) / 896 * 1e3, task = tasks(1000)
-  )
+  # As long as a chunk of 65,536 rows of the wheel.
+  task <- function() mirai::mirai(Sys.sleep(0.015), .args = list(job = list()))
+  tasks <- function(n) {
+    flight <- lapply(1:5, function(i) task())
+    took <- processor_s(for (i in seq_len(n)) {
+      flight[[1]][]
+      flight <- c(flight[-1], task())
+    })
+    lapply(flight, mirai::call_mirai)
+    list(took)
+  }
+  further <- function(run, few, many) {
+    run(few)
+    Map(function(a, b) (b - a) / (many - few) * 1e3, run(few), run(many))
+  }
+  c(further(chunks, 128, 1024), further(tasks, 128, 1024))
 }
 
 # Numbers of Sobol's sequence in the core, and rows of a design in R.
@@ -234,7 +255,12 @@ if ("--billion" %in% args || any(startsWith(args, "--rows="))) {
   designs(program)
   package_sweeps(program)
   of_two <- or_not_measured(coordinator())
-  figure("two daemons: the coordinator for a chunk", of_two[1], 0.5, unit = " ms")
-  figure("  mirai alone for a task", of_two[2], unit = " ms")
+  if (is.list(of_two)) {
+    figure("two daemons: the coordinator for a chunk", of_two[[1]]["own"], 0.5, unit = " ms")
+    figure("  with the threads of mirai", of_two[[1]]["all"], unit = " ms")
+    figure("  reading the sums of a chunk", of_two[[2]]["all"], unit = " ms")
+    figure("  mirai alone for a task", of_two[[3]]["own"], unit = " ms")
+    figure("    with its threads", of_two[[3]]["all"], unit = " ms")
+  }
 }
 unlink(scratch, recursive = TRUE)

@@ -40,7 +40,7 @@ fault_of_parts <- function(folder, plan) {
   plan$hash <- plan_hash(plan)
   for (chunk in chunk_of_part(dir(file.path(folder, "sums")))) {
     path <- sums_file(folder, chunk)
-    whole <- is_sealed(path) && identical(part_about(path)$rotdyn_run, plan$hash)
+    whole <- identical(sealed_about(path)$run, plan$hash)
     if (!whole) wrong <- c(wrong, paste("sums", chunk))
   }
   for (chunk in chunk_of_part(dir(file.path(folder, "rows")))) {

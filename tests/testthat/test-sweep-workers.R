@@ -117,6 +117,30 @@ test_that("a chunk that takes too long is given out a second time, and what wait
   expect_identical(vapply(run$flight, `[[`, NA, "doubled"), c(TRUE, FALSE))
 })
 
+test_that("no daemon waits for the coordinator, which looks seldom where chunks are long", {
+  run <- coordinator()
+  for (chunk_s in c(0, 1e-3, 0.02, 0.3, 2, 1e4)) {
+    take_receipt(run, 1, list(chunk = 1, seconds = chunk_s))
+    run$open[1] <- TRUE
+    at_hand_s <- run$ahead * chunk_s
+    expect_lte(run$pause, max(0.001, at_hand_s / 2))
+    expect_lte(run$ahead, 16)
+    expect_gte(run$ahead, 1)
+    expect_gte(run$pause, min(5, 0.125, 8 * chunk_s))
+    expect_gte(run$pause, min(5, chunk_s / 2))
+  }
+  expect_identical(run$pause, 5)
+})
+
+test_that("the median of the last 99 receipts tells what is overdue", {
+  run <- coordinator()
+  for (chunk_s in c(rep(1e3, 99), 1:99)) {
+    take_receipt(run, 1, list(chunk = 1, seconds = chunk_s))
+    run$open[1] <- TRUE
+  }
+  expect_identical(sort(run$seconds), as.double(1:99))
+})
+
 test_that("a daemon without its packages gets a message, and all of them an error", {
   run <- coordinator()
   lacks <- list(class = c("rotdyn_error_package", "error"), message = "no rotdyn", who = "h 1")
