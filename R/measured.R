@@ -17,8 +17,8 @@
 #' @param dof Degrees of freedom of `u`, above 0; Inf where it is not from readings.
 #' @param name Name in budgets; by default the expression given.
 #' @param x,e1,e2 Measured numbers.
-#' @param ... For `print()`, `as.double()` and `mean()`: not used. For `c()` and `sum()`: measured
-#'   numbers and plain ones; the first is measured.
+#' @param ... For `c()` and `sum()`: measured numbers and plain ones; the first is measured. For
+#'   the others: not used.
 #' @param na.rm Not used: no measured number is missing.
 #' @param digits For `format()`: digits of the uncertainty.
 #' @return `measured()`: an object of class `rot_measured`, a list with `value`, `u`, `dof`, `name`
@@ -27,7 +27,7 @@
 #'   several, with their names.
 #'
 #'   `format()`: the concise form, `127.732(71)`. NA, NaN and Inf are errors, as are `mean()`,
-#'   `max()` and `round()`: `(a + b) / 2` is the mean of two.
+#'   `max()`, `round()`, `rep()` and `[`: `(a + b) / 2` is the mean of two, `list(a, b)` holds them.
 #' @section Errors: `rotdyn_error_type`, `rotdyn_error_size`, `rotdyn_error_value`,
 #'   `rotdyn_error_missing`, `rotdyn_error_argument`.
 #' @source JCGM 100:2008, Guide to the expression of uncertainty in measurement, clauses 5.1 and
@@ -323,6 +323,14 @@ Math.rot_measured <- function(x, ...) {
 #' @rdname measured
 #' @export
 mean.rot_measured <- function(x, ...) abort_operator("mean", current_env())
+
+#' @rdname measured
+#' @export
+rep.rot_measured <- function(x, ...) abort_operator("rep", current_env())
+
+#' @rdname measured
+#' @export
+`[.rot_measured` <- function(x, ...) abort_operator("[", current_env())
 
 #' @rdname measured
 #' @export

@@ -85,6 +85,9 @@ test_that("errors are the package's own", {
   expect_error(measured(1, 0.1) / 0, class = "rotdyn_error_value")
   expect_error(measured(1, 0.1) %% 2, class = "rotdyn_error_type")
   expect_error(gamma(measured(1, 0.1)), class = "rotdyn_error_type")
+  # Of the list that it is inside: they would give its fields.
+  expect_error(rep(measured(1, 0.1), 2), class = "rotdyn_error_type")
+  expect_error(measured(1, 0.1)[1], class = "rotdyn_error_type")
   forged <- measured(1, 0.1)
   forged$parts <- 3
   expect_error(body_disk(forged, 1), class = "rotdyn_error_type")
