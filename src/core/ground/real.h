@@ -1,9 +1,10 @@
 /* Products and lengths without intermediate overflow and underflow; products of vectors; sines of
- * degrees. */
+ * degrees; are numbers finite. */
 #ifndef ROT_REAL_H
 #define ROT_REAL_H
 
 #include <math.h>
+#include <stddef.h>
 
 #include "ground/exact.h"
 
@@ -44,6 +45,9 @@ static inline int rot_well_scaled(double x, double largest) {
   x = fabs(x);
   return x == 0.0 || (x * largest > 1.0 && x < largest);
 }
+
+/* 1 if none of n doubles is Inf or NaN. */
+int rot_all_finite(size_t n, const void *x);
 
 /* deg => sine; the reduction is exact, so sin(30) = 0.5 */
 double rot_sin_deg(double deg);

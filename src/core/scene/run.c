@@ -1,5 +1,6 @@
 #include "scene/run.h"
 
+#include "ground/real.h"
 #include "ground/sort.h"
 
 #include <float.h>
@@ -123,40 +124,19 @@ static rot_status run_model(const job *j, const rot_model *model, const rot_task
   return run->run(j->scene, task, run->method, &rows, j->hooks, info);
 }
 
-/* => the top bit is set if the number at `x` is Inf or NaN: its exponent has all bits, and one more
- * is a carry. */
-static inline uint64_t carry_of(const char *x) {
-  uint64_t bits;
-  memcpy(&bits, x, sizeof bits);
-  return (bits & UINT64_C(0x7ff0000000000000)) + UINT64_C(0x0010000000000000);
-}
-
-/* => 1 if one of n numbers is. Each by its own load: one for two numbers that were just stored
- * waits for both. */
-static uint64_t carries_of(size_t n, const void *x) {
-  enum { EACH = sizeof(double) };
-  const char *at = x;
-  uint64_t found = 0;
-  for (; n >= 4; n -= 4, at += 4 * EACH) {
-    found |= carry_of(at) | carry_of(at + EACH) | carry_of(at + 2 * EACH) | carry_of(at + 3 * EACH);
-  }
-  for (; n > 0; n--, at += EACH) found |= carry_of(at);
-  return found >> 63;
-}
-
 /* 1 if a shown column contains Inf. */
 static int beyond_doubles(const job *j, size_t n) {
   const rot_constraint *c = j->constraint;
   const size_t cells = j->rows.cells;
   /* Usually one look at all the memory is enough. Column by column, a row of a sweep took 1.31
    * times its builder and model; so 1.25 (`bench/sweep-scale.R`, incline). */
-  if (cells && cells <= 4 * n * c->n_columns && !carries_of(cells, j->rows.column[0])) return 0;
+  if (cells && cells <= 4 * n * c->n_columns && rot_all_finite(cells, j->rows.column[0])) return 0;
   const showing by = showing_of(c, j->scene);
-  uint64_t found = 0;
+  int finite = 1;
   for (size_t i = 0; i < c->n_columns; i++) {
-    if (!c->columns[i].flag && shows(c, by, i)) found |= carries_of(n, j->rows.column[i]);
+    if (!c->columns[i].flag && shows(c, by, i)) finite &= rot_all_finite(n, j->rows.column[i]);
   }
-  if (!found) return 0;
+  if (finite) return 0;
   for (size_t i = 0; i < c->n_columns; i++) {
     const double *x = j->rows.column[i];
     if (c->columns[i].flag || !shows(c, by, i)) continue;

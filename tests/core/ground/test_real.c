@@ -293,7 +293,26 @@ static void check_sum_product(void) {
   ROT_CHECK(isnan(rot_sum_product(NAN, 2, zero, &lo)));
 }
 
+/* One that is not finite, at each place; sums of the others are beyond the doubles. */
+static void check_all_finite(void) {
+  static const double bad[] = {NAN, -NAN, INFINITY, -INFINITY};
+  double x[13];
+  for (size_t n = 0; n <= 13; n++) {
+    for (size_t i = 0; i < 13; i++) x[i] = i % 3 == 2 ? 4.9e-324 : i % 3 ? DBL_MAX : -DBL_MAX;
+    ROT_CHECK(rot_all_finite(n, x));
+    for (size_t i = 0; i < 13; i++) {
+      for (size_t k = 0; k < 4; k++) {
+        const double good = x[i];
+        x[i] = bad[k];
+        ROT_CHECK(rot_all_finite(n, x) == (i >= n));
+        x[i] = good;
+      }
+    }
+  }
+}
+
 int main(void) {
+  check_all_finite();
   check_two_sum();
   check_powers();
   check_length();
