@@ -18,7 +18,8 @@ fit_records <- function(records, scene, observed, call) {
     if (!"time_s" %in% names(one)) {
       abort_missing_column("time_s", one, call)
     }
-    wanted <- if (is.null(observed)) intersect(names(one), known) else observed
+    one <- one_row_a_time(one, i, scene, known, call)
+    wanted <- observed %||% observed_columns(one, scene, known)
     missing <- setdiff(wanted, intersect(names(one), known))
     if (length(missing) || !length(wanted)) {
       abort_rotdyn(c(
@@ -76,6 +77,40 @@ fit_records <- function(records, scene, observed, call) {
     ), "value", call)
   }
   out
+}
+
+# A motion of several rows for each time with a column for each of them, as they are observed.
+one_row_a_time <- function(record, i, scene, known, call) {
+  index <- constraint_of(scene)$index
+  if (is.null(index) || !index %in% names(record)) return(record)
+  times <- split(record$time_s, record[[index]])
+  if (length(unique(unname(times))) != 1L) {
+    abort_rotdyn(c(
+      "Record {i} must have the same times for each {.field {index}}.",
+      x = "Rows: {lengths(times)}, for {.field {index}} {names(times)}.",
+      i = "NA stands for what was not measured."
+    ), "value", call)
+  }
+  names <- known[sub("\\[[0-9]+\\]$", "", known) %in% names(record)]
+  columns <- series_of_motion(record, index, names)
+  wide <- list2DF(c(list(time_s = times[[1]]), columns[lengths(columns) == length(times[[1]])]))
+  structure(wide, computed = inherits(record, "rot_trajectory"))
+}
+
+# What a record has of the motion. No instrument reads the other columns of a computed motion: as
+# samples of their own they made intervals too narrow.
+observed_columns <- function(record, scene, known) {
+  found <- intersect(names(record), known)
+  if (!inherits(record, "rot_trajectory") && !isTRUE(attr(record, "computed"))) return(found)
+  measures <- constraint_of(scene)$measures
+  state <- unlist(lapply(measures[names(measures) != "angular_momentum"], `[[`, "columns"))
+  read <- found[sub("\\[[0-9]+\\]$", "", found) %in% state]
+  if (!length(read) || length(read) == length(found)) return(found)
+  inform_quickly(c(
+    paste0("Of a computed motion the state is fitted: ", paste(read, collapse = ", "), "."),
+    "The other columns follow from it. `observed` names columns to fit."
+  ), "fit")
+  read
 }
 
 # A measured column in SI units; NaN: not measured.

@@ -41,8 +41,8 @@
 #'
 #' @param scene A scene; its numbers are where the search starts. NULL with `build`.
 #' @param records A data frame with `time_s` and columns of the scene's motion (`theta_rad`,
-#'   `omega_x_rad_per_s`, `x_m`, ...; of several rows for each time `theta_rad[2]`), a
-#'   [motion_record()], or a list of them. NA: not measured. Each segment of a record is one of its
+#'   `omega_x_rad_per_s`, `x_m`, ...; of several rows for each time `theta_rad[2]`, or these
+#'   rows), a [motion_record()], or a list of them. NA: not measured. Each segment of a record is one of its
 #'   own. Date-times become seconds since the first. Rows that repeat another exactly are left out,
 #'   with a warning.
 #' @param unknown Paths of inputs, see [sweep_inputs()]; a vector (`"omega0_rad_per_s"` of a free
@@ -53,7 +53,8 @@
 #' @param lower,upper Limits of unknowns, by their names, within the domains of the inputs. With a
 #'   lower limit of 0 an unknown is positive, and its logarithm is fitted.
 #' @param per_record Those of `unknown` that each record has for itself; the others are shared.
-#' @param observed Columns to fit; NULL: all of the records that the motion has.
+#' @param observed Columns to fit; NULL: all of the records that the motion has; of a computed
+#'   motion those of its state, from which the others follow, with a message.
 #' @param prior A list of [measured()] quantities, by the name of the unknown: what is known of it
 #'   beforehand, with a standard uncertainty above 0. What is known exactly belongs to the scene.
 #' @param offset,factor Observed columns whose instrument has an unknown zero, an unknown scale.

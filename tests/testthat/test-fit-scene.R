@@ -830,3 +830,30 @@ test_that("a limit that any change exceeds is that change", {
   expect_identical(fit$value[2], 0)
   expect_lt(fit$upper[2], 1e-12)
 })
+
+test_that("of a computed motion the state is fitted, of several rows for each time, too", {
+  wheel <- scene_axle(0.05, torque = 0.8, resistance = resistance(viscous_n_m_s = 0.02))
+  motion <- trajectory(wheel, seq(0, 4, 0.1))
+  expect_message(
+    fit <- fit_scene(wheel, motion, unknown = "torque"), "theta_rad, omega_rad_per_s",
+    class = "rotdyn_message_fit"
+  )
+  # A sample of an angle and one of a rate for each time, and none of what is computed from them.
+  expect_match(utils::capture.output(print(fit))[1], "82 samples of theta_rad, omega_rad_per_s$")
+  expect_no_message(fit_scene(wheel, motion, "torque", observed = "net_torque_n_m"))
+  expect_no_message(fit_scene(wheel, as.data.frame(motion)[c(1, 3)], "torque"))
+
+  shaft <- scene_drive(list(0.1, 0.2), coupling_shaft(50, 0.1), torque = list(1, NULL))
+  motion <- trajectory(shaft, seq(0, 1, 0.05))
+  stiffness <- grep("stiffness", sweep_inputs(shaft)$input, value = TRUE)
+  wide <- data.frame(time_s = seq(0, 1, 0.05))
+  angles <- c("theta_rad[1]" = 1e-3, "theta_rad[2]" = 1e-3)
+  for (k in 1:2) wide[[paste0("theta_rad[", k, "]")]] <- motion$theta_rad[motion$rotor == k]
+  expect_message(both <- fit_scene(shaft, motion, stiffness, noise = c(
+    angles, "omega_rad_per_s[1]" = 1e9, "omega_rad_per_s[2]" = 1e9
+  )), class = "rotdyn_message_fit")
+  alone <- fit_scene(shaft, wide, stiffness, noise = angles)
+  expect_equal(both$value, alone$value, tolerance = 1e-6)
+  expect_equal(both$standard_error, alone$standard_error, tolerance = 1e-4)
+  expect_error(fit_scene(shaft, motion[-3, ], stiffness), "rotor", class = "rotdyn_error_value")
+})
