@@ -41,10 +41,10 @@
 #'
 #' @param scene A scene; its numbers are where the search starts. NULL with `build`.
 #' @param records A data frame with `time_s` and columns of the scene's motion (`theta_rad`,
-#'   `omega_x_rad_per_s`, `x_m`, ...; of several rows for each time `theta_rad[2]`, or these
-#'   rows), a [motion_record()], or a list of them. NA: not measured. Each segment of a record is one of its
-#'   own. Date-times become seconds since the first. Rows that repeat another exactly are left out,
-#'   with a warning.
+#'   `omega_x_rad_per_s`, `x_m`, ...; of several rows for each time `theta_rad[2]`, or these rows),
+#'   a [motion_record()], or a list of them. NA: not measured. Each segment of a record is one of
+#'   its own. Date-times become seconds since the first. Rows that repeat another exactly are left
+#'   out, with a warning.
 #' @param unknown Paths of inputs, see [sweep_inputs()]; a vector (`"omega0_rad_per_s"` of a free
 #'   body) stands for its elements. With `build`, named numbers: where the search starts.
 #' @param ... Not used: an unknown argument is an error.
