@@ -64,7 +64,7 @@ rot_dense_form rot_dense_between(const rot_dense *d, size_t i, size_t component)
   form.start = rot_dense_node(d, i)[0];
   form.width = rot_dense_node(d, i + 1)[0] - form.start;
   form.base = rot_dense_node(d, i)[1 + component];
-  form.fraction = 2 * each;
+  form.estimating = 2 * each;
   take_node(&form, d, i, component);
   take_node(&form, d, i + 1, component);
   /* Nodes on both sides in turn, nearest first: stable divided differences. */
@@ -125,12 +125,12 @@ void rot_dense_correct(rot_dense_form *form, double slope) {
   rot_dense_at(form, form->start + x * form->width, &now, NULL, NULL);
   product_at(form, x, &rise);
   form->c[form->terms++] = (slope - now) * form->width / rise;
-  form->fraction = 1;
+  form->estimating = 1;
   form->corrections++;
 }
 
-double rot_dense_at(const rot_dense_form *form, double t, double *slope, double *fraction,
-                    double *slope_fraction) {
+double rot_dense_at(const rot_dense_form *form, double t, double *slope, double *unsure,
+                    double *slope_unsure) {
   const double x = (t - form->start) / form->width;
   double value = 0.0, rise = 0.0, product = 1.0, product_rise = 0.0;
   double last = 0.0, last_rise = 0.0;
@@ -138,10 +138,10 @@ double rot_dense_at(const rot_dense_form *form, double t, double *slope, double 
     rise = rise * (x - form->z[k]) + value;
     value = value * (x - form->z[k]) + form->c[k];
   }
-  if (fraction || slope_fraction) {
+  if (unsure || slope_unsure) {
     double before = 1.0, before_rise = 0.0;
     for (size_t k = 0; k < form->terms; k++) {
-      if (k + form->fraction >= form->terms) {
+      if (k + form->estimating >= form->terms) {
         /* The second correction is zero at the midpoint, where the error is not: half of the
          * previous product instead. */
         const int half = form->corrections > 1;
@@ -156,7 +156,7 @@ double rot_dense_at(const rot_dense_form *form, double t, double *slope, double 
     }
   }
   if (slope) *slope = rise / form->width;
-  if (fraction) *fraction = last;
-  if (slope_fraction) *slope_fraction = last_rise / fabs(form->width);
+  if (unsure) *unsure = last;
+  if (slope_unsure) *slope_unsure = last_rise / fabs(form->width);
   return form->base + value;
 }

@@ -43,7 +43,7 @@ static inline const double *rot_dense_node(const rot_dense *d, size_t i) {
  * x = (t - start)/width. */
 typedef struct rot_dense_form {
   size_t terms;       /* of the polynomial */
-  size_t fraction;    /* last terms that make the error estimate: a node or a correction */
+  size_t estimating;  /* last terms, which make the error estimate: a node or a correction */
   size_t corrections; /* added so far */
   double start;       /* time of node i */
   double width;       /* time from node i to node i + 1 */
@@ -60,8 +60,8 @@ double rot_dense_correction_at(const rot_dense_form *form);
  * times. */
 void rot_dense_correct(rot_dense_form *form, double slope);
 
-/* t => value, slope, contributions of the last node to both (each may be NULL) */
-double rot_dense_at(const rot_dense_form *form, double t, double *slope, double *fraction,
-                    double *slope_fraction);
+/* t => value, slope, error estimates of both: the last terms (each may be NULL) */
+double rot_dense_at(const rot_dense_form *form, double t, double *slope, double *unsure,
+                    double *slope_unsure);
 
 #endif

@@ -26,11 +26,11 @@ static void check_polynomials(void) {
         const double a = rot_dense_node(&d, i)[0], b = rot_dense_node(&d, i + 1)[0];
         const double t = a + 0.37 * (b - a);
         const rot_dense_form form = rot_dense_between(&d, i, 0);
-        double slope, fraction, slope_fraction;
-        const double y = rot_dense_at(&form, t, &slope, &fraction, &slope_fraction);
+        double slope, unsure, slope_unsure;
+        const double y = rot_dense_at(&form, t, &slope, &unsure, &slope_unsure);
         ROT_CHECK_REL(y, power(t, k), 1e-11);
         if (k) ROT_CHECK_REL(slope, k * power(t, k - 1), 1e-9);
-        if (slopes && k < 12) ROT_CHECK(fraction <= 1e-12 * power(t, k));
+        if (slopes && k < 12) ROT_CHECK(unsure <= 1e-12 * power(t, k));
       }
       rot_dense_free(&d);
     }
@@ -47,10 +47,10 @@ static void check_fraction(void) {
   for (size_t i = 0; i + 1 < d.count; i++) {
     const rot_dense_form form = rot_dense_between(&d, i, 0);
     const double t = 0.5 * (rot_dense_node(&d, i)[0] + rot_dense_node(&d, i + 1)[0]);
-    double slope, fraction, slope_fraction;
-    const double error = fabs(rot_dense_at(&form, t, &slope, &fraction, &slope_fraction) - sin(t));
-    ROT_CHECK(error <= fraction && fraction < 1e-6);
-    ROT_CHECK(fabs(slope - cos(t)) <= slope_fraction);
+    double slope, unsure, slope_unsure;
+    const double error = fabs(rot_dense_at(&form, t, &slope, &unsure, &slope_unsure) - sin(t));
+    ROT_CHECK(error <= unsure && unsure < 1e-6);
+    ROT_CHECK(fabs(slope - cos(t)) <= slope_unsure);
   }
   rot_dense_free(&d);
 }
@@ -69,9 +69,9 @@ static void check_corrections(void) {
       double worst = 0.0, max = 0.0;
       for (int j = 0; j <= 20; j++) {
         const double t = form.start + form.width * j / 20.0;
-        double fraction;
-        worst = fmax(worst, fabs(rot_dense_at(&form, t, NULL, &fraction, NULL) - sin(t)));
-        max = fmax(max, fraction);
+        double unsure;
+        worst = fmax(worst, fabs(rot_dense_at(&form, t, NULL, &unsure, NULL) - sin(t)));
+        max = fmax(max, unsure);
       }
       ROT_CHECK(worst <= 0.3 * before && worst <= max);
       before = worst;
@@ -92,10 +92,9 @@ static void check_growing_steps(void) {
   for (size_t i = 0; i + 1 < d.count; i++) {
     const rot_dense_form form = rot_dense_between(&d, i, 0);
     const double t = 0.5 * (rot_dense_node(&d, i)[0] + rot_dense_node(&d, i + 1)[0]);
-    double fraction;
-    ROT_CHECK_REL(rot_dense_at(&form, t, NULL, &fraction, NULL), t, 1e-15);
-    if (form.terms > form.fraction)
-      ROT_CHECK(fraction <= 1e-12 * t); /* else there is none to tell */
+    double unsure;
+    ROT_CHECK_REL(rot_dense_at(&form, t, NULL, &unsure, NULL), t, 1e-15);
+    if (form.terms > form.unsure) ROT_CHECK(unsure <= 1e-12 * t); /* else there is none to tell */
   }
   rot_dense_free(&d);
 }
