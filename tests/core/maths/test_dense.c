@@ -38,7 +38,7 @@ static void check_polynomials(void) {
 }
 
 /* The share is more than the error, and not without measure. */
-static void check_fraction(void) {
+static void check_unsure(void) {
   rot_dense d = {1, 0, 0, 1, NULL};
   for (int i = 0; i < 12; i++) {
     const double t = 0.7 * i + 0.05 * (i % 3), y = sin(t), f = cos(t);
@@ -94,7 +94,7 @@ static void check_growing_steps(void) {
     const double t = 0.5 * (rot_dense_node(&d, i)[0] + rot_dense_node(&d, i + 1)[0]);
     double unsure;
     ROT_CHECK_REL(rot_dense_at(&form, t, NULL, &unsure, NULL), t, 1e-15);
-    if (form.terms > form.unsure) ROT_CHECK(unsure <= 1e-12 * t); /* else there is none to tell */
+    if (form.terms > form.estimating) ROT_CHECK(unsure <= 1e-12 * t); /* else there is none to tell */
   }
   rot_dense_free(&d);
 }
@@ -116,7 +116,7 @@ static void check_list(void) {
 
 int main(void) {
   check_polynomials();
-  check_fraction();
+  check_unsure();
   check_corrections();
   check_growing_steps();
   check_list();
