@@ -191,3 +191,23 @@ test_that("a missing integer is missing", {
   expect_error(scene_hoop(NA_integer_, 1, 1), "It is NA", class = "rotdyn_error_value")
   expect_identical(scene_hoop(1L, 1L, 2L), scene_hoop(1, 1, 2))
 })
+
+test_that("the unit of time changes neither a bit of the motion nor its error figure", {
+  motion <- function(power) {
+    s <- 2^power
+    scene <- scene_hoop(
+      0.65, 0.39, 3.6 / s,
+      theta0_rad = -1.1, omega0_rad_per_s = 0.0175 / s,
+      resistance = resistance(drag_n_s_per_m = 0.089 / s), static_friction = 0.39,
+      kinetic_friction = 0.3, gravity_m_per_s2 = 9.80665 / s^2, start_s = s
+    )
+    trajectory(scene, s * seq(1, 5, by = 0.25))
+  }
+  whole <- motion(0)
+  for (power in c(-100, -60, -40, 60, 100)) {
+    other <- motion(power)
+    expect_identical(other$theta_rad, whole$theta_rad)
+    expect_identical(other$omega_rad_per_s * 2^power, whole$omega_rad_per_s)
+    expect_identical(summary(other)$error, summary(whole)$error)
+  }
+})

@@ -6,13 +6,14 @@
 
 #include "engine/ode/norm.h"
 #include "maths/expm.h"
+#include "maths/scaling.h"
 #include "ground/real.h"
 
 rot_ode_propagation *rot_ode_propagation_alloc(const rot_ode_params *p) {
   const size_t n = p->controlled, square = n * n;
   if (n > ROT_ODE_MAX_PROPAGATION) return NULL;
   rot_ode_propagation *g = calloc(1, sizeof *g);
-  double *data = calloc(4 * square + ROT_EXPM_WORK(n) + n + 6 * p->dim, sizeof *data);
+  double *data = calloc(4 * square + ROT_EXPM_WORK(n) + 2 * n + 6 * p->dim, sizeof *data);
   if (!g || !data) {
     free(g);
     free(data);
@@ -24,7 +25,8 @@ rot_ode_propagation *rot_ode_propagation_alloc(const rot_ode_params *p) {
   g->derivative1 = data + 2 * square;
   g->map = data + 3 * square;
   g->worst = data + 4 * square;
-  g->y = g->worst + n;
+  g->units = g->worst + n;
+  g->y = g->units + n;
   g->f = g->y + p->dim;
   g->last_y = g->f + p->dim;
   g->last_slope = g->last_y + p->dim;
@@ -119,12 +121,6 @@ static void commutator(size_t n, const double a[], const double b[], double c[])
   }
 }
 
-static double largest_of(size_t n, const double x[]) {
-  double max = 0.0;
-  for (size_t i = 0; i < n; i++) max = fmax(max, fabs(x[i]));
-  return max;
-}
-
 /* The exponent of the step to order 4, from the derivatives at its ends and in the middle: Blanes,
  * Casas, Oteo & Ros, Physics Reports 470 (2009) 151, section 5. The commutator is left out where
  * the series does not converge, in long implicit steps. */
@@ -159,7 +155,9 @@ static rot_status fine_exponent(rot_ode_propagation *g, rot_ode_law *law,
   }
   commutator(n, g->derivative0, g->derivative1, turn);
   const double by = h * h / 12.0;
-  if (by * largest_of(square, turn) < 0.5 * largest_of(square, g->map)) {
+  rot_scaling_of(n, g->map, g->units);
+  if (by * rot_scaling_largest(n, turn, g->units) <
+      0.5 * rot_scaling_largest(n, g->map, g->units)) {
     for (size_t i = 0; i < square; i++) g->map[i] -= by * turn[i];
   }
   memcpy(g->last_y, state->y, p->dim * sizeof *g->last_y);
@@ -203,8 +201,12 @@ rot_status rot_ode_propagation_step(rot_ode_propagation *g, rot_ode_law *law,
     g->map[i] = h * mean;
   }
   g->known = 1;
-  double *e = g->derivative0;                            /* not needed any more */
-  if (rot_expm(n, g->map, e, g->work, NULL) != ROT_OK) { /* beyond the doubles in one step */
+  double *e = g->derivative0; /* not needed any more */
+  rot_scaling_of(n, g->map, g->units);
+  rot_scaling_apply(n, g->map, g->units);
+  status = rot_expm(n, g->map, e, g->work, NULL);
+  rot_scaling_undo(n, e, g->units);
+  if (status != ROT_OK) { /* beyond the doubles in one step */
     for (size_t m = 0; m < rot_ode_steering(p); m++) g->worst[m] = INFINITY;
     return ROT_OK;
   }

@@ -16,6 +16,7 @@ typedef struct rot_ode_propagation {
   double *spread, *derivative0, *derivative1, *map, *work; /* n x n each, but work */
   double *y, *f;                                           /* dim each */
   double *worst;                                           /* of each group */
+  double *units;                                           /* of each component, in a step */
   /* For the order 4: state and slope at the end of the step before, and in the middle; dim each. */
   double *last_y, *last_slope, *mid_y, *mid_slope;
 } rot_ode_propagation;
