@@ -177,7 +177,11 @@ as.character.rot_terms <- function(x, ...) {
 print.rot_audit <- function(x, ..., digits = 4) {
   call <- current_env()
   digits <- check_number(digits, "digits", "1", call, lower = 1, upper = 22)
-  if (!all(audit_columns %in% names(x))) {
+  kinds <- c(
+    balance = "character", about = "character", unit = "character", residual = "numeric",
+    rounding = "numeric", terms = "list"
+  )
+  if (!all(audit_columns %in% names(x)) || !has_kinds(x, kinds)) {
     print(drop_class(x, "rot_audit"), ...)
     return(invisible(x))
   }

@@ -191,9 +191,12 @@ only_by_name <- "it runs only where it is named" # src/core/scene/choice.c
 
 #' @export
 print.rot_model_choice <- function(x, ...) {
-  columns <- c("model", "applies", "error", "error_kind", "cost_s", "chosen", "reason")
-  # Unless rows or columns were removed.
-  if (!all(columns %in% names(x)) || sum(x$chosen %in% TRUE) != 1L) {
+  kinds <- c(
+    model = "character", applies = "logical", error = "numeric", error_kind = "character",
+    cost_s = "numeric", chosen = "logical", reason = "character"
+  )
+  # Unless rows or columns were removed, or made anew.
+  if (!has_kinds(x, kinds) || sum(x$chosen %in% TRUE) != 1L) {
     print(drop_class(x, "rot_model_choice"), ...)
     return(invisible(x))
   }

@@ -37,7 +37,7 @@ autoplot.rot_model_choice <- function(object, ..., base_size = 13) {
   data <- data[order(data$cost), ]
   data$above <- seq_len(nrow(data)) %% 2 == 1
   best <- data$model[data$chosen]
-  named <- sum(object$reason %in% only_by_name)
+  named <- sum(object[["reason"]] %in% only_by_name)
   rest <- nrow(object) - nrow(data) - named
   said <- paste0(
     "lower left is better", if (rest > 0L) paste0("; ", rest, " more do not apply"),

@@ -84,6 +84,17 @@ is_upright <- function(x) {
 #' @export
 print.rot_trajectory <- print.rot_table
 
+# The columns that a print of its own reads are there, with values of their kinds.
+has_kinds <- function(x, kinds) {
+  all(vapply(names(kinds), function(name) {
+    value <- unclass(x)[[name]]
+    switch(kinds[[name]],
+      numeric = is.numeric(value), character = is.character(value), logical = is.logical(value),
+      list = is.list(value)
+    )
+  }, NA))
+}
+
 # `first` names columns that are there.
 first_that_are <- function(x) {
   first <- attr(x, "first", exact = TRUE)

@@ -58,3 +58,22 @@ test_that("a motion whose times or angles are texts is one no more", {
   shaft$rotor <- factor(shaft$rotor)
   expect_s3_class(shaft, "rot_trajectory")
 })
+
+test_that("an audit or a choice of models with columns of another kind prints as a table", {
+  motion <- trajectory(scene_axle(2, 1), 0:4)
+  whole <- list(audit(motion), choose_model(scene_axle(2, 1), 0:4))
+  for (x in whole) {
+    for (name in names(x)) {
+      without <- x[setdiff(names(x), name)]
+      expect_no_warning(utils::capture.output(print(without)))
+      expect_match(utils::capture.output(print(x))[1], "^<rot_")
+      if (!name %in% c("residual", "rounding", "error", "cost_s")) next
+      x[[name]] <- as.character(x[[name]])
+      expect_match(utils::capture.output(print(x)), "tibble", all = FALSE)
+      x[[name]] <- as.numeric(x[[name]])
+    }
+  }
+  skip_if_not_installed("ggplot2")
+  choice <- whole[[2]]
+  expect_no_warning(ggplot2::autoplot(choice[setdiff(names(choice), "reason")]))
+})
