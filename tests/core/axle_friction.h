@@ -96,6 +96,9 @@ static inline const double *read_case(const double *x, friction_case *c) {
     c->event += 2;
     c->events--;
   }
+  /* It lists each turn: without dry or quadratic friction nothing happens there. */
+  const rot_axle_scene *by = &c->scene;
+  if (by->quadratic_n_m_s2 == 0.0 && by->coulomb_n_m == 0.0 && by->static_n_m == 0.0) c->events = 0;
   return x;
 }
 

@@ -100,3 +100,17 @@ test_that("late in time a passage just before a stop is an event of its own", {
   want <- c(acos(-0.1 / (0.1 + d)), pi) / 2
   expect_equal(events$time_s - 1e6, want, tolerance = 1e-8)
 })
+
+test_that("what reverses does so whatever the model", {
+  reversals <- function(model, resistance) {
+    scene <- scene_axle(1, -1, resistance, omega0_rad_per_s = 1)
+    motion_events(trajectory(scene, 0:4, model = model))$event
+  }
+  for (model in c("axle_linear", "axle_drag", "axle_bands", "axle_rk8pd", "axle_radau")) {
+    expect_identical(reversals(model, NULL), character(), info = model)
+    expect_identical(reversals(model, resistance(0.1)), character(), info = model)
+  }
+  for (model in c("axle_drag", "axle_bands", "axle_rk8pd", "axle_radau")) {
+    expect_identical(reversals(model, resistance(coulomb_n_m = 0.1)), "reverse", info = model)
+  }
+})

@@ -142,7 +142,7 @@ static motion motion_of(const rot_axle_scene *scene) {
     m.inertia.after_n_m = scene->inertia_kg_m2[scene->n_inertia - 1];
     m.reference = rot_torque_at(&m.inertia, scene->linear.start_s);
   }
-  m.turns = scene->quadratic_n_m_s2 != 0.0 || scene->coulomb_n_m != 0.0 || scene->static_n_m != 0.0;
+  m.turns = rot_axle_kinks_at_rest(scene);
   m.mode = 1;
   return m;
 }

@@ -107,6 +107,6 @@ rot_status rot_axle_rest_decide(rot_axle_rest *rest, double applied, int *leaves
   if (max > 0.0 && was_stuck) {
     return rot_events_add(rest->events, base->time_s, ROT_EVENT_SLIP);
   }
-  if (heading == 0 || *leaves == heading) return ROT_OK;
+  if (heading == 0 || *leaves == heading || !rot_axle_kinks_at_rest(rest->scene)) return ROT_OK;
   return rot_events_add(rest->events, base->time_s, ROT_EVENT_REVERSE);
 }

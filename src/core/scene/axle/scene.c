@@ -52,6 +52,10 @@ double rot_axle_scene_resistance(const rot_axle_scene *scene, double omega) {
   return torque;
 }
 
+int rot_axle_kinks_at_rest(const rot_axle_scene *scene) {
+  return scene->quadratic_n_m_s2 != 0.0 || scene->coulomb_n_m != 0.0 || scene->static_n_m != 0.0;
+}
+
 int rot_axle_scene_sticks(const rot_axle_scene *scene, double omega, double applied) {
   return omega == 0.0 && scene->static_n_m > 0.0 && fabs(applied) <= scene->static_n_m;
 }

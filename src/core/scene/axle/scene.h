@@ -57,6 +57,8 @@ double rot_axle_scene_resistance(const rot_axle_scene *scene, double omega);
 void rot_axle_scene_row(const rot_axle_scene *scene, const rot_axle_columns *out, size_t i,
                         double t, double theta, double omega, double applied, int stuck);
 
+/* The resistance has a kink or a jump at omega = 0: only there a body that turns round reverses. */
+int rot_axle_kinks_at_rest(const rot_axle_scene *scene);
 /* 1 if omega is 0 and dry friction holds the body against the applied torque, else 0. */
 int rot_axle_scene_sticks(const rot_axle_scene *scene, double omega, double applied);
 

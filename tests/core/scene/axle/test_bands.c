@@ -237,6 +237,7 @@ static void check_crossing_times(void) {
  * 1e-26 s after the start of a run of 100 s. A first guess in the middle would settle there. */
 static void check_stiff_crossing(void) {
   rot_axle_scene s = plain_scene(1.0, 1e28, 10.0, -1.0);
+  s.coulomb_n_m = s.static_n_m = 1e-300;                               /* else it is no event */
   const double t[] = {50.0, 100.0}, when = 1e-28 * 66.774967696827325; /* log(1e29) */
   go(&s, 2, t);
   ROT_CHECK(r.events.count == 1 && r.events.event[0] == ROT_EVENT_REVERSE);
