@@ -15,5 +15,6 @@ rot_angle_now rot_angle_after(const rot_angle *start, double turned) {
   const double half = 0.5 * turned, s = sin(half), c = cos(half);
   const double sine = start->sine.hi, cosine = start->cosine.hi;
   const double change = -2.0 * s * (c * sine + s * cosine);
-  return (rot_angle_now){sine + 2.0 * s * (c * cosine - s * sine), cosine + change, change};
+  const double rise = 2.0 * s * (c * cosine - s * sine);
+  return (rot_angle_now){sine + rise, cosine + change, change, rise};
 }

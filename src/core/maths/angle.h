@@ -10,9 +10,9 @@ typedef struct rot_angle {
   rot_dd sine, cosine;
 } rot_angle;
 
-/* change: cosine less that of the start */
+/* change, rise: cosine and sine less those of the start */
 typedef struct rot_angle_now {
-  double sine, cosine, change;
+  double sine, cosine, change, rise;
 } rot_angle_now;
 
 /* start, rad => its sine and cosine; as doubles from 1e15 rad on */
