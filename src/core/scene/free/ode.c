@@ -64,9 +64,9 @@ static rot_status rhs(double t, const double y[], double f[], void *ctx) {
   }
   attitude_of(m, y, q);
   omega_of(m, y, w);
-  const rot_status status = rot_free_torque(m->p, t, w, q, torque);
+  const rot_status status = m->weight ? rot_free_torque_hung(m->p, &m->hung, t, w, q, y, torque)
+                                      : rot_free_torque(m->p, t, w, q, torque);
   if (status != ROT_OK) return status;
-  if (m->weight) rot_free_add_hung(m->p, &m->hung, y, torque);
   f[0] = 0.5 * (-y[1] * w[0] - y[2] * w[1] - y[3] * w[2]);
   f[1] = 0.5 * (y[0] * w[0] + y[2] * w[2] - y[3] * w[1]);
   f[2] = 0.5 * (y[0] * w[1] + y[3] * w[0] - y[1] * w[2]);

@@ -57,9 +57,13 @@ static rot_status torques(stepper *s, double t, const double omega[3], const dou
   s->calls++;
   if (s->p->law || s->p->in_space) attitude_of(s, q, attitude);
   const rot_status status = rot_free_torque(s->p, at, omega, attitude, own);
+  if (status != ROT_OK) return status;
+  if (s->weight && !s->p->law) {
+    return rot_free_torque_hung(s->p, &s->hung, at, omega, attitude, q, all);
+  }
   for (int k = 0; k < 3; k++) all[k] = own[k];
-  if (status == ROT_OK && s->weight) rot_free_add_hung(s->p, &s->hung, q, all);
-  return status;
+  if (s->weight) rot_free_add_hung(s->p, &s->hung, q, all); /* without a further call of the law */
+  return ROT_OK;
 }
 
 /* Rates of the momenta of the rotors, power of their motors. */

@@ -11,21 +11,29 @@ int rot_free_between_knots(size_t n, const double x[], double t, size_t *i, doub
 /* parameters => 1 if gravity has a torque, else 0. */
 int rot_free_has_weight(const rot_free_params *p);
 
+/* Gravity at the start, in principal axes: up, and the torque, which near an equilibrium is what
+ * two products leave: of the given numbers in twice the precision. So is its sum with the constant
+ * torque, which may balance it. */
+typedef struct rot_free_hung {
+  double up[3], torque[3];
+  double lost[3];  /* the torque less its double */
+  double both[3];  /* that and the constant torque */
+  double space[3]; /* the constant torque, where it stays in space; else 0 */
+} rot_free_hung;
+
 /* (t, omega, attitude of the principal axes) => torque in principal axes, without gravity's. */
 rot_status rot_free_torque(const rot_free_params *p, double t, const double omega[3],
                            const double q[4], double out[3]);
-
-/* Gravity at the start, in principal axes: up, and the torque, which near an equilibrium is what
- * two products leave: of the given numbers in twice the precision. */
-typedef struct rot_free_hung {
-  double up[3], torque[3];
-  double lost[3]; /* the torque less its double */
-} rot_free_hung;
 
 void rot_free_hang(const rot_free_params *p, rot_free_hung *out);
 /* (rotation q since the start) => torque[] += torque of gravity: that at the start and its change,
  * which keep the digits of a motion of 1e-12 rad. */
 void rot_free_add_hung(const rot_free_params *p, const rot_free_hung *hung, const double q[4],
                        double torque[3]);
+
+/* (t, omega, attitude, rotation since the start) => the torque with gravity's, in principal axes. */
+rot_status rot_free_torque_hung(const rot_free_params *p, const rot_free_hung *hung, double t,
+                                const double omega[3], const double q[4], const double turned[4],
+                                double out[3]);
 
 #endif
