@@ -27,6 +27,8 @@ typedef struct motion {
   double omega0[3]; /* principal axes */
   int middle;       /* axis of the middle moment */
   int hangs;        /* see hangs() */
+  double law;       /* what rounding leaves uncertain of a law beside gravity, N m */
+  double span_s;    /* from the start to the farthest row */
   rot_events seen;  /* valid events of all runs */
 } motion;
 
@@ -198,13 +200,14 @@ static rot_status fill_rows(const motion *m, size_t n, const double y[],
 }
 
 /* Errors of the groups => errors of the measures. L in space also has the error of the attitude.
- * Momenta of rotors count as angular momentum. */
+ * Momenta of rotors count as angular momentum. A law's rounding may have one direction all the
+ * time: what it grows to is in the error of the groups as if it had none. */
 static void measure_errors(const motion *m, run *r) {
-  const double min = m->rotors.min;
+  const double min = m->rotors.min, off = m->law * m->span_s;
   const double own = m->groups > 2 ? sqrt((double)m->rotors.n_states) * r->error[2] : 0.0;
-  r->measure[ROT_FREE_ATTITUDE] = r->error[0];
-  r->measure[ROT_FREE_OMEGA] = (r->error[1] + own) / min;
-  r->measure[ROT_FREE_MOMENTUM] = fmax(r->error[1] + r->largest[1] * r->error[0], own);
+  r->measure[ROT_FREE_ATTITUDE] = r->error[0] + off / min * m->span_s;
+  r->measure[ROT_FREE_OMEGA] = (r->error[1] + own + off) / min;
+  r->measure[ROT_FREE_MOMENTUM] = fmax(r->error[1] + r->largest[1] * r->error[0], own) + off;
 }
 
 static double omega_size(const motion *m, const double y[]) {
@@ -243,10 +246,9 @@ static rot_status run_at(motion *m, const rot_free_ode_options *options, double 
   double start[MAX];
   start_state(m, start);
   /* Noise level: a motion that starts within the noise of its torque has no digits to resolve. */
-  const double late =
-      n ? fmax(fabs(time_s[0] - p->start_s), fabs(time_s[n - 1] - p->start_s)) : 0.0;
-  const double off = 2.0 * p->law_noise_n_m;
-  const double noise[] = {off / m->rotors.min * late, off, off};
+  const double off = 2.0 * (p->law_noise_n_m + m->law);
+  const double noise[] = {off / m->rotors.min * m->span_s, off, off};
+  const double rounds[] = {0.0, m->law, 0.0};
   const rot_ode_event zero = {.g = m->weight ? rise : NULL,
                               .component = (size_t)(MOMENTUM + (m->middle < 0 ? 0 : m->middle)),
                               .name = m->weight ? ROT_EVENT_HIGHEST : ROT_EVENT_FLIP,
@@ -272,6 +274,7 @@ static rot_status run_at(motion *m, const rot_free_ode_options *options, double 
       .log = &out->events,
       .project = renormalise,
       .noise = off > 0.0 ? noise : NULL,
+      .rounds = m->law > 0.0 ? rounds : NULL,
       .integrals_between = 1,
       .fades_s = p->law || p->motors      ? 0.0
                  : p->damping_per_s > 0.0 ? 1.0 / p->damping_per_s
@@ -331,8 +334,11 @@ static void judge(const motion *m, run *a, const run *finer) {
   const double size[3] = {1.0, momentum / min, momentum};
   double difference[3], flow[ROT_FREE_FLOWS];
   differences(m, a, finer, difference, flow);
+  /* A law that balances gravity rounds in both runs alike. */
+  const int balances = m->law * m->span_s > cap * difference[ROT_FREE_MOMENTUM];
   for (int k = 0; k < 3; k++) {
-    const double common = fmax(cap * difference[k], 32.0 * rounding * size[k]);
+    const double common =
+        fmax(cap * difference[k], balances ? INFINITY : 32.0 * rounding * size[k]);
     a->measure[k] = 1.02 * difference[k] + fmin(finer->measure[k], common) + rounding * size[k];
   }
   for (size_t k = 0; k < m->flows; k++) {
@@ -428,6 +434,17 @@ static rot_status give_events(motion *m, const rot_events *log, rot_events *even
   return status;
 }
 
+/* Of a law that is called, or sampled, and turned into the axes of the body: a body that its torque
+ * held aside moved by 1e-10 rad/s, off by 1.6e6 times the figure. */
+static double rounding_of_law(const motion *m) {
+  const rot_free_params *p = m->p;
+  double torque[3];
+  if (!p->law || !m->weight) return 0.0;
+  const double just_after = nextafter(p->start_s, INFINITY);
+  const rot_status status = rot_free_torque(p, just_after, m->omega0, m->q0, torque);
+  return status == ROT_OK ? 8.0 * ROT_EPS * rot_length(torque) : 0.0;
+}
+
 /* Two runs, rows, flows, events, errors. */
 rot_status rot_free_integrate(const rot_free_params *p, const rot_free_ode_options *options,
                               size_t n, const double time_s[], const rot_free_columns *out,
@@ -448,6 +465,8 @@ rot_status rot_free_integrate(const rot_free_params *p, const rot_free_ode_optio
   m.weight = rot_free_has_weight(p);
   rot_free_hang(p, &m.hung);
   m.hangs = hangs(&m);
+  m.law = rounding_of_law(&m);
+  if (n) m.span_s = fmax(fabs(time_s[0] - p->start_s), fabs(time_s[n - 1] - p->start_s));
   rot_status status = run_twice(&m, options, n, time_s, hooks, &result, &finer);
   *info = result.info;
   if (status == ROT_ERHS && (p->law || p->motors)) status = ROT_ETORQUE;
