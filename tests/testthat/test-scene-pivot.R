@@ -694,7 +694,7 @@ test_that("a body that a steady torque in space holds aside moves with all its d
 })
 
 test_that("a figure has the rounding of a torque function that holds a body aside", {
-  # Extrapolation to 30 digits (mpmath 1.3.0) from these doubles, 2 s: off by 1.6e6 times the figure.
+  # Extrapolation to 30 digits (mpmath 1.3.0) from these doubles, 2 s: off by 1.6e6 figures before.
   body <- matrix(c(
     0x1.34b01221233dcp+1, -0x1.8734e707fc3dp-5, -0x1.448ba102c1817p-3,
     -0x1.8734e707fc3dp-5, 0x1.ca07591a552a8p+1, -0x1.276f37b5299cp-2,
