@@ -334,8 +334,8 @@ static void judge(const motion *m, run *a, const run *finer) {
   const double size[3] = {1.0, momentum / min, momentum};
   double difference[3], flow[ROT_FREE_FLOWS];
   differences(m, a, finer, difference, flow);
-  /* A law that balances gravity rounds in both runs alike. */
-  const int balances = m->law * m->span_s > cap * difference[ROT_FREE_MOMENTUM];
+  /* A law that balances gravity rounds in both runs alike, by more than the motion does. */
+  const int balances = m->law * m->span_s > 32.0 * rounding * momentum;
   for (int k = 0; k < 3; k++) {
     const double common =
         fmax(cap * difference[k], balances ? INFINITY : 32.0 * rounding * size[k]);
@@ -434,17 +434,6 @@ static rot_status give_events(motion *m, const rot_events *log, rot_events *even
   return status;
 }
 
-/* Of a law that is called, or sampled, and turned into the axes of the body: a body that its torque
- * held aside moved by 1e-10 rad/s, off by 1.6e6 times the figure. */
-static double rounding_of_law(const motion *m) {
-  const rot_free_params *p = m->p;
-  double torque[3];
-  if (!p->law || !m->weight) return 0.0;
-  const double just_after = nextafter(p->start_s, INFINITY);
-  const rot_status status = rot_free_torque(p, just_after, m->omega0, m->q0, torque);
-  return status == ROT_OK ? 8.0 * ROT_EPS * rot_length(torque) : 0.0;
-}
-
 /* Two runs, rows, flows, events, errors. */
 rot_status rot_free_integrate(const rot_free_params *p, const rot_free_ode_options *options,
                               size_t n, const double time_s[], const rot_free_columns *out,
@@ -465,7 +454,7 @@ rot_status rot_free_integrate(const rot_free_params *p, const rot_free_ode_optio
   m.weight = rot_free_has_weight(p);
   rot_free_hang(p, &m.hung);
   m.hangs = hangs(&m);
-  m.law = rounding_of_law(&m);
+  m.law = rot_free_law_rounding(p);
   if (n) m.span_s = fmax(fabs(time_s[0] - p->start_s), fabs(time_s[n - 1] - p->start_s));
   rot_status status = run_twice(&m, options, n, time_s, hooks, &result, &finer);
   *info = result.info;

@@ -499,7 +499,9 @@ static void note_difference(const stepper *s, const double x[], const double y[]
 }
 
 /* Errors of the rows of `r`, from a run with the halves of its steps. */
-static void note_errors(const run *r, const run *half, double flow_error[], rot_info *info) {
+static void note_errors(const run *r, const run *half, double span_s, double flow_error[],
+                        rot_info *info) {
+  const double off = rot_free_law_rounding(r->s.p) * span_s; /* the same in both runs */
   const rot_free_rotors *rotors = &r->s.rotors;
   const size_t dim = r->s.dim;
   const int order = rot_free_step_order(r->s.method);
@@ -525,10 +527,11 @@ static void note_errors(const run *r, const run *half, double flow_error[], rot_
     flow_error[f] = d.flow[f] * 2.0 * fmax(by_angle, fmax(by_omega, by_momentum));
   }
   rot_info_measures(info, rot_free_measures);
-  info->measure[ROT_FREE_ATTITUDE] = (rot_measure){fmin(angle + rounding, PI), 1.0, 1.0, 1.0};
+  info->measure[ROT_FREE_ATTITUDE] =
+      (rot_measure){fmin(angle + rounding + off / rotors->min * span_s, PI), 1.0, 1.0, 1.0};
   info->measure[ROT_FREE_OMEGA].error =
-      omega + rounding * (r->largest_omega + rotors->size / rotors->min);
-  info->measure[ROT_FREE_MOMENTUM].error = momentum + rounding * r->largest_momentum;
+      omega + rounding * (r->largest_omega + rotors->size / rotors->min) + off / rotors->min;
+  info->measure[ROT_FREE_MOMENTUM].error = momentum + rounding * r->largest_momentum + off;
   for (int k = 0; k < 3; k++) {
     flow_error[ROT_FREE_MOTOR_WORK] +=
         2.0 * fabs(rotors->driven[k]) * info->measure[ROT_FREE_OMEGA].error;
@@ -584,7 +587,9 @@ rot_status rot_free_step_through(const rot_free_params *p, const rot_free_step_o
   info->steps = r.s.steps;
   info->rhs_calls = r.s.calls + half.s.calls;
   info->rows_done = r.rows_done;
-  note_errors(&r, &half, flow_error, info);
+  const double span_s =
+      n ? fmax(fabs(time_s[0] - p->start_s), fabs(time_s[n - 1] - p->start_s)) : 0.0;
+  note_errors(&r, &half, span_s, flow_error, info);
   for (size_t i = 0; i < r.rows_done && info->status != ROT_EUNWIND; i++) {
     const double *row = y + i * dim;
     omega_of(&r.s, row, omega);

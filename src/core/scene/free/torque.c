@@ -159,3 +159,14 @@ rot_status rot_free_torque_hung(const rot_free_params *p, const rot_free_hung *h
   for (int k = 0; k < 3; k++) out[k] = varies[k] + hung->both[k] + (more[k] + space[k]);
   return ROT_OK;
 }
+
+/* Turned into the axes of the body, the latter twice as much where it stays in space: a body that a
+ * called torque held aside moved by 1e-10 rad/s, off by 1.6e6 times the figure. */
+double rot_free_law_rounding(const rot_free_params *p) {
+  double torque[3], omega[3], q[4];
+  if ((!p->law && !p->n_knots) || !rot_free_has_weight(p)) return 0.0;
+  rot_free_principal(p, omega, q);
+  const double just_after = nextafter(p->start_s, INFINITY);
+  const rot_status status = rot_free_torque(p, just_after, omega, q, torque);
+  return status == ROT_OK ? (p->in_space ? 16.0 : 8.0) * ROT_EPS * rot_length(torque) : 0.0;
+}

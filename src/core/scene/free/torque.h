@@ -31,9 +31,12 @@ void rot_free_hang(const rot_free_params *p, rot_free_hung *out);
 void rot_free_add_hung(const rot_free_params *p, const rot_free_hung *hung, const double q[4],
                        double torque[3]);
 
-/* (t, omega, attitude, rotation since the start) => the torque with gravity's, in principal axes. */
+/* (t, omega, attitude, rotation since the start) => torque with gravity's, in principal axes. */
 rot_status rot_free_torque_hung(const rot_free_params *p, const rot_free_hung *hung, double t,
                                 const double omega[3], const double q[4], const double turned[4],
                                 double out[3]);
+
+/* What rounding leaves uncertain of a law or a table beside gravity, N m; else 0. */
+double rot_free_law_rounding(const rot_free_params *p);
 
 #endif
