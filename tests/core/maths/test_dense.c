@@ -94,7 +94,8 @@ static void check_growing_steps(void) {
     const double t = 0.5 * (rot_dense_node(&d, i)[0] + rot_dense_node(&d, i + 1)[0]);
     double unsure;
     ROT_CHECK_REL(rot_dense_at(&form, t, NULL, &unsure, NULL), t, 1e-15);
-    if (form.terms > form.estimating) ROT_CHECK(unsure <= 1e-12 * t); /* else there is none to tell */
+    if (form.terms > form.estimating)
+      ROT_CHECK(unsure <= 1e-12 * t); /* else there is none to tell */
   }
   rot_dense_free(&d);
 }

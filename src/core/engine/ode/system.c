@@ -40,11 +40,13 @@ static rot_status slopes(double t, const double y[], double dydt[], void *ctx) {
   place at;
   const int held = m->s.dry && m->mode == 0;
   const rot_system_state state = state_of(m, y, m->s.dry ? m->mode : 0, &at);
-  double *acceleration = dydt + n, drive = 0.0;
+  double *acceleration = dydt + n;
+  rot_dry_forces forces = {0.0, 0.0, 0.0, 0.0};
   (void)t;
   memcpy(dydt, state.v, n * sizeof *dydt);
-  m->system->slopes(m->scene, &state, acceleration, dydt + m->flows, m->s.dry ? &drive : NULL);
-  if (m->s.dry) dydt[m->drive] = drive;
+  m->system->slopes(m->scene, &state, acceleration, dydt + m->flows, &forces);
+  acceleration[0] += m->s.dry ? rot_dry_left(m->s.dry, &forces, state.sign) : forces.along;
+  if (m->s.dry) dydt[m->drive] = rot_dry_drive(m->s.dry, &forces);
   if (held) dydt[0] = acceleration[0] = 0.0;
   return ROT_OK;
 }
@@ -95,20 +97,32 @@ static rot_time_scales time_scales_of_start(const rot_system *system, const void
   return time_scales;
 }
 
+/* What is left of the forces of the one coordinate, as it moves or would begin to. */
+static double force_at_start(const motion *m, const double y[]) {
+  place at;
+  double dydt[MAX_DIM] = {0.0};
+  rot_dry_forces forces = {0.0, 0.0, 0.0, 0.0};
+  const rot_system_state state = state_of(m, y, 0, &at);
+  m->system->slopes(m->scene, &state, dydt + m->s.n, dydt + m->flows, &forces);
+  const double heading = state.v[0] != 0.0 ? state.v[0] : forces.along;
+  return fabs(m->s.dry ? rot_dry_left(m->s.dry, &forces, heading > 0.0 ? 1 : -1) : forces.along);
+}
+
 rot_status rot_system_run(const rot_system *system, const void *scene, const rot_task *task,
                           rot_method method, const rot_rows *rows, const rot_hooks *hooks,
                           rot_info *info) {
-  const rot_system_start s = system->start(scene);
+  rot_system_start s = system->start(scene);
+  if (s.dry && s.dry->mu_static == 0.0) s.dry = NULL;
   const size_t n = s.n, rows_n = task->n;
   const double *t = task->time_s;
   const double span = rows_n ? fmax(fabs(t[0] - s.start_s), fabs(t[rows_n - 1] - s.start_s)) : 0.0;
-  const double rounding = 4.0 * ROT_EPS * s.rounding;
   motion m = {.system = system, .scene = scene, .s = s, .flows = 2 * n, .mode = 1};
   double start[MAX_DIM] = {0.0}, error[MAX_DIM] = {0.0}, largest[MAX_DIM] = {0.0};
   int offset = 0;
   m.drive = 2 * n + system->n_flows;
   m.dim = m.drive + (s.dry ? 1 : 0);
   memcpy(start + n, s.v, n * sizeof *start);
+  const double rounding = 4.0 * ROT_EPS * (s.rounding + force_at_start(&m, start));
   for (size_t i = 0; i < n; i++) offset |= s.q[i] != 0.0;
   note_state(s.start_s, start, &m);
   rot_info_clear(info, rot_turning);
@@ -118,7 +132,7 @@ rot_status rot_system_run(const rot_system *system, const void *scene, const rot
    * large as q less q0. */
   const double accuracy = (offset ? 0.5 : 1.0) / sqrt((double)n) * task->accuracy;
   const rot_ode_group groups[] = {{0, n, ROT_ODE_VECTOR}, {n, n, ROT_ODE_VECTOR}};
-  const rot_ode_switch turn = {n, m.drive, s.holds};
+  const rot_ode_switch turn = {n, m.drive, s.dry ? s.dry->mu_static : 0.0};
   const double noise[] = {rounding * span, rounding};
   const rot_time_scales time_scales = time_scales_of_start(system, scene, &s);
   const rot_ode_params ode = {.dim = m.dim,
@@ -138,7 +152,7 @@ rot_status rot_system_run(const rot_system *system, const void *scene, const rot
                               .project = note_state,
                               .noise = noise,
                               .integrals_between = 1,
-                              .kinks = s.dry,
+                              .kinks = s.dry != NULL,
                               .fades_s = s.dry ? 0.0 : time_scales.fades_s,
                               .settles_s = ROT_SETTLED * time_scales.fades_s,
                               .step_s = rot_ode_is_fixed(method)

@@ -3,6 +3,7 @@
 #ifndef ROT_ODE_SYSTEM_H
 #define ROT_ODE_SYSTEM_H
 
+#include "engine/dry.h"
 #include "engine/ode/fixed.h"
 
 enum { ROT_SYSTEM_MAX = 16 }; /* coordinates */
@@ -19,18 +20,17 @@ typedef struct rot_system_start {
   size_t n, rows_per_time; /* coordinates; rows at one time */
   const double *q, *v;     /* at start_s */
   double start_s;
-  double rounding; /* of an acceleration: the sum of what acts */
-  int dry;         /* one coordinate, held at rest up to |drive| = holds */
-  double holds;
+  double rounding;    /* of an acceleration: the sum of what acts, without the forces of slopes() */
+  const rot_dry *dry; /* friction along one coordinate; NULL: none */
 } rot_system_start;
 
 typedef struct rot_system {
   size_t n_flows; /* at most ROT_MOST_FLOWS */
   rot_system_start (*start)(const void *scene);
-  /* Slopes of the rates, and of the flows. `drive`: where friction is dry, the force along the one
-   * coordinate over the normal force; else NULL. */
+  /* Slopes of the rates, and of the flows. `forces` are 0; where friction may be dry, those of the
+   * one coordinate over its inertia, which are no part of its acceleration. */
   void (*slopes)(const void *scene, const rot_system_state *state, double acceleration[],
-                 double flow[], double *drive);
+                 double flow[], rot_dry_forces *forces);
   void (*row)(const void *scene, const rot_system_state *state, size_t at, void *const column[]);
   void (*time_scales)(const void *scene, const double sizes[], rot_time_scales *time_scales);
 } rot_system;

@@ -119,9 +119,9 @@ static const char *const flows[FLOWS] = {"dissipated_j", "torque_impulse_n_m_s"}
 
 /* (angles, rates) => accelerations; rates of heat and impulse. */
 static void slopes(const void *scene, const rot_system_state *at, double acceleration[],
-                   double flow[], double *drive) {
+                   double flow[], rot_dry_forces *forces) {
   const rot_links *c = &((const chain *)scene)->links;
-  (void)drive;
+  (void)forces;
   rot_links_accelerations(c, at->q, at->q_low, at->v, acceleration);
   double heat = 0.0, pull = 0.0;
   for (size_t i = 0; i < c->n; i++) {

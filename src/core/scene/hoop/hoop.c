@@ -11,9 +11,7 @@ typedef struct hoop {
   double mass, radius, turn, theta0, omega0, drag, mu_static, mu_kinetic, gravity, start;
   double inertia, weight, lifts; /* m R^2, m g R, turn^2 cos(theta0) - g/R */
   rot_angle from;                /* theta0 */
-  double presses;                /* the normal force over m R at theta0, at rest */
-  double loose;                  /* the first double beyond mu_static */
-  double slides[2], breaks[2];   /* the force along it less kinetic and static friction, down, up */
+  rot_dry dry;                   /* of forces over m R */
 } hoop;
 
 /* ---- inputs ---------------------------------------------------------------------------------- */
@@ -41,18 +39,11 @@ static rot_status build(const rot_given given[], rot_store *store, void *to, rot
   h->from = rot_angle_from(h->theta0);
   /* 0 where the bead rests: in twice the precision. */
   const rot_dd pull = rot_dd_div((rot_dd){h->gravity, 0.0}, (rot_dd){h->radius, 0.0});
-  const rot_dd square = rot_dd_mul2(h->turn, h->turn), sine = h->from.sine;
-  const rot_dd lifts = rot_dd_sub(rot_dd_mul(square, h->from.cosine), pull);
-  h->lifts = lifts.hi;
-  const rot_dd along = rot_dd_mul(lifts, sine), out = rot_dd_mul(square, rot_dd_mul(sine, sine));
-  const rot_dd presses = rot_dd_add(rot_dd_mul(pull, h->from.cosine), out);
-  h->presses = presses.hi;
-  h->loose = nextafter(h->mu_static, INFINITY);
-  for (int up = 0; up < 2; up++) {
-    const double sign = (presses.hi < 0.0) == up ? -1.0 : 1.0;
-    h->slides[up] = rot_dd_add(along, rot_dd_mul1(presses, -sign * h->mu_kinetic)).hi;
-    h->breaks[up] = rot_dd_add(along, rot_dd_mul1(presses, -sign * h->mu_static)).hi;
-  }
+  const rot_dd sine = h->from.sine, cosine = h->from.cosine, square = rot_dd_mul2(h->turn, h->turn);
+  const rot_dd up = rot_dd_sub(rot_dd_mul(square, cosine), pull), along = rot_dd_mul(up, sine);
+  h->lifts = up.hi;
+  const rot_dd in = rot_dd_mul(pull, cosine), out = rot_dd_mul(square, rot_dd_mul(sine, sine));
+  h->dry = rot_dry_from(along, rot_dd_add(in, out), h->mu_static, h->mu_kinetic);
   const double rates = h->turn * h->turn + h->gravity / h->radius + h->drag / h->mass;
   if (h->inertia * rates < INFINITY) return ROT_OK;
   return rot_refuse(no, 0, "leaves energies or rates beyond double precision");
@@ -60,57 +51,30 @@ static rot_status build(const rot_given given[], rot_store *store, void *to, rot
 
 /* ---- motion ---------------------------------------------------------------------------------- */
 
-/* State => forces over m R along the hoop and normal to it, sin and cos theta; normal less that at
- * rest at the start, along less that at the start. */
-typedef struct forces {
-  double sine, cosine, along, normal, more_along, more_normal;
-} forces;
-
-/* By differences from the start: about a rest that is not the lowest point gravity and the
- * centrifugal force cancel, and 1e-9 rad/s was off by 1e-7 of itself. */
-static forces forces_at(const hoop *h, double moved, double omega) {
-  const rot_angle_now at = rot_angle_after(&h->from, moved);
-  const double square = h->turn * h->turn, pull = h->gravity / h->radius;
-  const double in_plane = pull * at.cosine + omega * omega + square * at.sine * at.sine;
-  const double across = 2.0 * h->turn * at.cosine * omega, normal = hypot(in_plane, across);
-  const double by = 1.0 / fmax(normal + fabs(h->presses), DBL_MIN);
-  const double more = at.change * (pull - square * (at.cosine + h->from.cosine.hi)) + omega * omega;
-  return (forces){at.sine,
-                  at.cosine,
-                  (h->lifts + square * at.change) * at.sine,
-                  normal,
-                  h->lifts * at.rise + square * at.change * at.sine,
-                  more * ((in_plane + h->presses) * by) + across * (across * by)};
+/* Forces over m R. By differences from the start: about a rest that is not the lowest point gravity
+ * and the centrifugal force cancel, and 1e-9 rad/s was off by 1e-7 of itself. */
+static rot_dry_forces forces_at(const hoop *h, const rot_angle_now *at, double omega) {
+  const double square = h->turn * h->turn, pull = h->gravity / h->radius, centre = omega * omega;
+  const double more = at->change * (pull - square * (at->cosine + h->from.cosine.hi)) + centre;
+  const double plane = pull * at->cosine + centre + square * at->sine * at->sine;
+  const double gains = square * at->change, across = 2.0 * h->turn * at->cosine * omega;
+  return rot_dry_now(&h->dry, (h->lifts + gains) * at->sine, h->lifts * at->rise + gains * at->sine,
+                     plane, more, across);
 }
 
 static const char *const flows[] = {"work_j", "dissipated_j", "torque_impulse_n_m_s"};
 enum { WORK, HEAT, IMPULSE };
 
-/* The force along the hoop over the normal force, on its side of static friction: within its
- * rounding of that it would break loose where the forces, which know better, push it back. */
-static double drive_of(const hoop *h, const forces *f) {
-  const int up = f->along > 0.0;
-  const double mu = h->mu_static, sign = up ? 1.0 : -1.0;
-  const double beyond = sign * (h->breaks[up] + (f->more_along - sign * mu * f->more_normal));
-  const double drive = fabs(f->along) / fmax(f->normal, DBL_MIN);
-  return sign * (beyond > 0.0 ? fmax(drive, h->loose) : fmin(drive, mu));
-}
-
 static void slopes(const void *scene, const rot_system_state *at, double acceleration[],
-                   double flow[], double *drive) {
+                   double flow[], rot_dry_forces *forces) {
   const hoop *h = scene;
-  const forces f = forces_at(h, *at->moved, *at->v);
-  const double drag = h->drag / h->mass * *at->v, mu = h->mu_kinetic * at->sign;
-  const double rubs = drag + mu * f.normal;
-  /* Where friction nearly balances the force along the hoop, 1e-13 rad/s was off by 3e-4 of itself:
-   * 10 times its figure. */
-  acceleration[0] = mu == 0.0
-                        ? f.along - drag
-                        : h->slides[at->sign > 0] + (f.more_along - mu * f.more_normal) - drag;
+  const rot_angle_now now = rot_angle_after(&h->from, *at->moved);
+  *forces = forces_at(h, &now, *at->v);
+  acceleration[0] = -h->drag / h->mass * *at->v;
+  const double rubs = h->mu_kinetic * at->sign * forces->normal - acceleration[0];
   flow[HEAT] = h->inertia * rubs * *at->v;
-  flow[IMPULSE] = 2.0 * h->inertia * h->turn * f.sine * f.cosine * *at->v;
+  flow[IMPULSE] = 2.0 * h->inertia * h->turn * now.sine * now.cosine * *at->v;
   flow[WORK] = flow[IMPULSE] * h->turn;
-  if (drive) *drive = drive_of(h, &f);
 }
 
 /* clang-format off */
@@ -124,11 +88,11 @@ static const rot_column_of columns[] = {
 static void row(const void *scene, const rot_system_state *at, size_t i, void *const column[]) {
   const hoop *h = scene;
   const double omega = *at->v, half = sin(0.5 * *at->q);
-  const forces f = forces_at(h, *at->moved, omega);
-  const double round = h->turn * f.sine, torque = 2.0 * h->inertia * round * f.cosine * omega;
+  const rot_angle_now now = rot_angle_after(&h->from, *at->moved);
+  const double round = h->turn * now.sine, torque = 2.0 * h->inertia * round * now.cosine * omega;
   const double kinetic = 0.5 * h->inertia * (omega * omega + round * round);
-  const double normal = h->mass * h->radius * f.normal, potential = 2.0 * h->weight * half * half;
-  const double value[] = {*at->q, omega, torque, normal, kinetic, potential};
+  const double normal = h->mass * h->radius * forces_at(h, &now, omega).normal;
+  const double value[] = {*at->q, omega, torque, normal, kinetic, 2.0 * h->weight * half * half};
   for (size_t k = 0; k < ROT_COUNT(columns); k++) ((double *)column[k])[i] = value[k];
 }
 
@@ -140,11 +104,7 @@ static void time_scales(const void *scene, const double sizes[], rot_time_scales
 
 static rot_system_start start(const void *scene) {
   const hoop *h = scene;
-  const forces f = forces_at(h, 0.0, h->omega0);
-  const int down = h->omega0 != 0.0 ? h->omega0 > 0.0 : f.along > 0.0;
-  const double acts = fabs(h->mu_kinetic == 0.0 ? f.along : h->slides[down]);
-  return (rot_system_start){1,        1,    &h->theta0,          &h->omega0,
-                            h->start, acts, h->mu_static != 0.0, h->mu_static};
+  return (rot_system_start){1, 1, &h->theta0, &h->omega0, h->start, 0.0, &h->dry};
 }
 
 /* ---- balances -------------------------------------------------------------------------------- */
