@@ -148,21 +148,3 @@ test_that("dry friction that holds a train acts against the torque on every body
     )
   }
 })
-
-test_that("implicit steps know no unit of time", {
-  motion <- function(power) {
-    s <- 2^power
-    capacity <- torque_knots(s * c(0, 0.5), c(0, 8) / s^2, outside = "hold")
-    scene <- scene_drive(
-      list(1, 2, 0.3), list(coupling_clutch(capacity), coupling_shaft(300 / s^2)),
-      torque = list(torque_motor(1.3 / s^2, 10 / s), NULL, 1 / s^2), omega0_rad_per_s = 3 / s
-    )
-    trajectory(scene, s * seq(0, 4, by = 0.5), model = "drive_radau")
-  }
-  whole <- motion(0)
-  for (power in c(-80, 60, 80)) {
-    other <- motion(power)
-    expect_equal(other$theta_rad, whole$theta_rad, tolerance = 1e-10)
-    expect_equal(other$omega_rad_per_s * 2^power, whole$omega_rad_per_s, tolerance = 1e-10)
-  }
-})

@@ -4,8 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "maths/scaling.h"
-
 enum { STAGES = 5, MAX_ITERATIONS = 12 };
 
 /* Roots of d^4/dx^4 x^4 (x - 1)^5, and the collocation integrals (mpmath, 60 digits). */
@@ -40,7 +38,6 @@ struct rot_radau {
   double *jacobian;    /* n x n */
   double *matrix;      /* (STAGES n)^2, factored */
   double *small;       /* n x n, factored: of the error estimate */
-  double *units;       /* n: of the components in both matrices */
   size_t *pivot, *small_pivot;
 };
 
@@ -48,7 +45,7 @@ rot_radau *rot_radau_alloc(size_t dim, size_t controlled) {
   const size_t n = controlled, s = STAGES;
   rot_radau *r = calloc(1, sizeof *r);
   if (!r) return NULL;
-  double *x = calloc(s * dim + 3 * s * n + 2 * dim + n + 2 * n * n + s * s * n * n, sizeof *x);
+  double *x = calloc(s * dim + 3 * s * n + 2 * dim + 2 * n * n + s * s * n * n, sizeof *x);
   r->pivot = calloc((s + 1) * n + 1, sizeof *r->pivot);
   r->stage_slope = x;
   if (!x || !r->pivot) {
@@ -63,8 +60,7 @@ rot_radau *rot_radau_alloc(size_t dim, size_t controlled) {
   r->step = r->z_last + s * n;
   r->y = r->step + s * n;
   r->f = r->y + dim;
-  r->units = r->f + dim;
-  r->jacobian = r->units + n;
+  r->jacobian = r->f + dim;
   r->small = r->jacobian + n * n;
   r->matrix = r->small + n * n;
   r->small_pivot = r->pivot + s * n;
@@ -152,12 +148,9 @@ static int grows_too_fast(const rot_radau *r, double h) {
   return half + (d > 0.0 ? sqrt(d) : 0.0) > MAX_FOLDS;
 }
 
-/* Factors the matrices of the stages and of the error estimate, in units in which pivots compare:
- * an angle beside a rate of 2^-60 per second needed twice the steps. */
+/* Factors the matrices of the stages and of the error estimate. */
 static int factor_both(rot_radau *r, double h) {
   const size_t n = r->n, order = STAGES * n;
-  rot_scaling_of(n, r->jacobian, r->units);
-  rot_scaling_apply(n, r->jacobian, r->units);
   for (size_t i = 0; i < STAGES; i++) {
     for (size_t j = 0; j < STAGES; j++) {
       for (size_t k = 0; k < n; k++) {
@@ -175,14 +168,6 @@ static int factor_both(rot_radau *r, double h) {
   }
   if (factor(order, r->matrix, r->pivot)) return ROT_RADAU_DIVERGED;
   return factor(n, r->small, r->small_pivot) ? ROT_RADAU_DIVERGED : 0;
-}
-
-/* By a factored matrix, for `count` blocks of components. */
-static void solve_in_units(const rot_radau *r, size_t count, const double a[], const size_t pivot[],
-                           double x[]) {
-  for (size_t i = 0; i < count * r->n; i++) x[i] /= r->units[i % r->n];
-  solve(count * r->n, a, pivot, x);
-  for (size_t i = 0; i < count * r->n; i++) x[i] *= r->units[i % r->n];
 }
 
 /* Initial Z: extrapolates the last step's polynomial, which is 0 at 0 and Z_j at c_j. */
@@ -231,7 +216,7 @@ static int correct(rot_radau *r, rot_radau_rhs rhs, void *ctx, double t, double 
       r->step[i * n + k] = h * sum - r->z[i * n + k];
     }
   }
-  solve_in_units(r, STAGES, r->matrix, r->pivot, r->step);
+  solve(STAGES * n, r->matrix, r->pivot, r->step);
   return 0;
 }
 
@@ -275,7 +260,7 @@ static void embedded_error(const rot_radau *r, double h, const double slope[], d
     error[k] = gamma_0 * h * slope[k];
     for (size_t i = 0; i < STAGES; i++) error[k] += spread[i] * r->z[i * n + k];
   }
-  solve_in_units(r, 1, r->small, r->small_pivot, error);
+  solve(n, r->small, r->small_pivot, error);
 }
 
 int rot_radau_step(rot_radau *r, rot_radau_rhs rhs, void *ctx, double t, double h, double y[],

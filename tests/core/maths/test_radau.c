@@ -150,39 +150,6 @@ static void check_digits(void) {
   rot_radau_free(two);
 }
 
-/* A damped spring between two masses, with its time in units of *ctx seconds. */
-static int two_masses(double t, const double y[], double f[], void *ctx) {
-  (void)t;
-  const double s = *(const double *)ctx;
-  const double pull = 300.0 * (y[1] - y[0]) + 20.0 * (y[3] - y[2]) * s;
-  f[0] = y[2];
-  f[1] = y[3];
-  f[2] = pull / s / s;
-  f[3] = (-0.3 * pull - y[3] * s) / s / s;
-  return 0;
-}
-
-/* Another unit of time changes no bit. */
-static void check_units(void) {
-  double want[4] = {0.0}, want_error[4] = {0.0};
-  const int powers[] = {0, -100, -60, 60, 80};
-  for (int k = 0; k < 5; k++) {
-    double s = ldexp(1.0, powers[k]);
-    double y[] = {0.1, 0.37, 3.0 / s, -1.7 / s}, error[4], slope[4];
-    const double allowed[] = {1e-10, 1e-10, 1e-10 / s, 1e-10 / s};
-    rot_radau *r = rot_radau_alloc(4, 4);
-    two_masses(0.0, y, slope, &s);
-    ROT_CHECK_EQ_INT(rot_radau_step(r, two_masses, &s, 0.0, 0.7 * s, y, error, slope, allowed, 0),
-                     0);
-    rot_radau_free(r);
-    for (int i = 0; i < 4; i++) {
-      const double unit = i < 2 ? 1.0 : s;
-      if (k == 0) want[i] = y[i], want_error[i] = error[i];
-      ROT_CHECK(y[i] * unit == want[i] && error[i] * unit == want_error[i]);
-    }
-  }
-}
-
 int main(void) {
   check_coefficients();
   check_order();
@@ -190,6 +157,5 @@ int main(void) {
   check_propagation();
   check_stop();
   check_digits();
-  check_units();
   return rot_test_report("radau");
 }
