@@ -64,7 +64,8 @@ table_from <- function(x, class = NULL) {
 #' summary(spin_up())
 #' @export
 print.rot_table <- function(x, ..., n = NULL, width = NULL) {
-  if (!is.null(width) || !length(x)) return(NextMethod())
+  unnamed <- is.null(names(x)) || anyNA(names(x))
+  if (!is.null(width) || !length(x) || unnamed) return(NextMethod())
   shown <- without_noise(x)
   if (is_upright(x)) {
     writeLines(upright_lines(shown))

@@ -153,6 +153,7 @@ check_law <- function(f, name, input, call) {
 describe_input <- function(x) {
   if (is.character(x)) return(x)
   if (inherits(x, "rot_torque")) return(describe_torque(x))
+  if (inherits(x, "rot_resistance")) return(describe_resistance(x))
   if (inherits(x, "rot_body")) return(paste0("a body, ", format_si(x$mass_kg), " kg"))
   format_si(x)
 }

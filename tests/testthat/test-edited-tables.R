@@ -77,3 +77,11 @@ test_that("an audit or a choice of models with columns of another kind prints as
   choice <- whole[[2]]
   expect_no_warning(ggplot2::autoplot(choice[setdiff(names(choice), "reason")]))
 })
+
+test_that("tables whose names were taken print their numbers", {
+  motion <- trajectory(scene_axle(1, torque = 1), 0:3)
+  for (x in list(motion, glance(motion), audit(motion))) {
+    suppressWarnings(names(x) <- NULL)
+    expect_output(suppressWarnings(print(x)), "A tibble", fixed = TRUE)
+  }
+})

@@ -211,3 +211,8 @@ test_that("the unit of time changes neither a bit of the motion nor its error fi
     expect_identical(summary(other)$error, summary(whole)$error)
   }
 })
+
+test_that("the print of a bead says what resists it", {
+  bead <- scene_hoop(0.1, 0.2, 5, resistance = resistance(drag_n_s_per_m = 0.1))
+  expect_output(print(bead), "resistance +drag, 0.1 N s/m\n")
+})
