@@ -29,21 +29,26 @@ static void check_left(void) {
   ROT_CHECK_REL(rot_dry_drive(&d, &f), 2.0, 1e-15);
 }
 
-/* Beside mu_static, which the quotient of the doubles hits from both sides: the difference that is
- * known to 1e-20 tells where the force is. */
+/* Beside mu_static, which the quotient of the doubles meets or misses on either side: a difference
+ * of 1e-18 tells where the force is. */
+static void check_drive_at(double along, int beyond) {
+  const double sign = along > 0.0 ? 1.0 : -1.0, little = sign * 1e-18 * fabs(along);
+  const rot_dd presses = rot_dd_div(dd(fabs(along)), dd(0.97));
+  const rot_dd force = rot_dd_add(dd(along), dd(beyond ? little : -little));
+  const rot_dry d = rot_dry_from(force, presses, 0.97, 0.1);
+  const rot_dry_forces rest = rot_dry_now(&d, force.hi, 0.0, presses.hi, 0.0, 0.0);
+  ROT_CHECK(sign * rot_dry_drive(&d, &rest) > 0.0);
+  ROT_CHECK((fabs(rot_dry_drive(&d, &rest)) > 0.97) == beyond);
+  /* A normal force that grows holds what was beyond; friction at rest, not in motion, counts. */
+  const double more = 10.0 * fabs(little);
+  const rot_dry_forces held = rot_dry_now(&d, force.hi, 4.0 * little, presses.hi, more, 0.0);
+  ROT_CHECK(fabs(rot_dry_drive(&d, &held)) <= 0.97);
+}
+
 static void check_drive(void) {
-  for (int sign = -1; sign <= 1; sign += 2) {
-    for (int beyond = 0; beyond < 2; beyond++) {
-      const rot_dd along = rot_dd_add(dd(0.3 * sign), dd(sign * (beyond ? 1e-20 : -1e-20)));
-      const rot_dd presses = rot_dd_div(dd(0.3), dd(0.6));
-      const rot_dry d = rot_dry_from(along, presses, 0.6, 0.1);
-      const rot_dry_forces rest = rot_dry_now(&d, along.hi, 0.0, presses.hi, 0.0, 0.0);
-      ROT_CHECK(sign * rot_dry_drive(&d, &rest) > 0.0);
-      ROT_CHECK((fabs(rot_dry_drive(&d, &rest)) > 0.6) == beyond);
-      /* A normal force that grows holds what was beyond; friction at rest, not in motion, counts. */
-      const rot_dry_forces more = rot_dry_now(&d, along.hi, sign * 4e-20, presses.hi, 1e-19, 0.0);
-      ROT_CHECK(fabs(rot_dry_drive(&d, &more)) <= 0.6);
-    }
+  for (int i = 1; i < 100; i++) {
+    check_drive_at(0.01 * i, i % 2);
+    check_drive_at(-0.01 * i, i % 2);
   }
 }
 
