@@ -596,6 +596,9 @@ unit_suffix <- function(units) {
   ifelse(units == "degree", "deg", sub("^1_", "", tolower(gsub("[ *]", "_", words))))
 }
 
+# "theta_rad" of "theta_rad[2]".
+without_place <- function(paths) sub("\\[[0-9]+\\]$", "", paths)
+
 # "rad/s" of `spin_rad_per_s`, by the columns whose names end alike, "1/s" of `decay_per_s`;
 # else "1".
 unit_in_name <- function(names) {

@@ -18,8 +18,9 @@ fit_records <- function(records, scene, observed, call) {
     if (!"time_s" %in% names(one)) {
       abort_missing_column("time_s", one, call)
     }
+    computed <- inherits(one, "rot_trajectory")
     one <- one_row_a_time(one, i, scene, known, call)
-    wanted <- observed %||% observed_columns(one, scene, known)
+    wanted <- observed %||% observed_columns(one, computed, scene, known)
     missing <- setdiff(wanted, intersect(names(one), known))
     if (length(missing) || !length(wanted)) {
       abort_rotdyn(c(
@@ -91,20 +92,19 @@ one_row_a_time <- function(record, i, scene, known, call) {
       i = "NA stands for what was not measured."
     ), "value", call)
   }
-  names <- known[sub("\\[[0-9]+\\]$", "", known) %in% names(record)]
+  names <- known[without_place(known) %in% names(record)]
   columns <- series_of_motion(record, index, names)
-  wide <- list2DF(c(list(time_s = times[[1]]), columns[lengths(columns) == length(times[[1]])]))
-  structure(wide, computed = inherits(record, "rot_trajectory"))
+  list2DF(c(list(time_s = times[[1]]), columns[lengths(columns) == length(times[[1]])]))
 }
 
 # What a record has of the motion. No instrument reads the other columns of a computed motion: as
 # samples of their own they made intervals too narrow.
-observed_columns <- function(record, scene, known) {
+observed_columns <- function(record, computed, scene, known) {
   found <- intersect(names(record), known)
-  if (!inherits(record, "rot_trajectory") && !isTRUE(attr(record, "computed"))) return(found)
+  if (!computed) return(found)
   measures <- constraint_of(scene)$measures
   state <- unlist(lapply(measures[names(measures) != "angular_momentum"], `[[`, "columns"))
-  read <- found[sub("\\[[0-9]+\\]$", "", found) %in% state]
+  read <- found[without_place(found) %in% state]
   if (!length(read) || length(read) == length(found)) return(found)
   inform_quickly(c(
     paste0("Of a computed motion the state is fitted: ", paste(read, collapse = ", "), "."),
@@ -134,7 +134,7 @@ observed_numbers <- function(x, name, call) {
 # Of a column of a motion, by the dictionary.
 unit_of_column <- function(name) {
   table <- column_table()
-  table$unit[match(sub("\\[[0-9]+\\]$", "", name), table$name)]
+  table$unit[match(without_place(name), table$name)]
 }
 
 # The columns of a scene's motion that are numbers.

@@ -34,7 +34,7 @@ scene_of_numbers <- function(about, numbers, call) {
 # Columns of a motion by their names, `theta_rad[2]` of a body.
 series_of_motion <- function(motion, index, names) {
   lapply(stats::setNames(names, names), function(name) {
-    y <- motion[[sub("\\[[0-9]+\\]$", "", name)]]
+    y <- motion[[without_place(name)]]
     if (is.null(index)) return(y)
     y[motion[[index]] == as.integer(sub("^.*\\[([0-9]+)\\]$", "\\1", name))]
   })

@@ -217,7 +217,7 @@ with_limits <- function(about, lower, upper, call) {
 
 # A vector stands for its elements: omega0_rad_per_s for omega0_rad_per_s[1] to [3].
 with_elements <- function(names, paths) {
-  vector <- sub("\\[[0-9]+\\]$", "", paths)
+  vector <- without_place(paths)
   vector[vector == paths] <- NA
   unlist(lapply(names, function(name) {
     own <- paths[vector %in% name]
@@ -369,7 +369,7 @@ fit_problem <- function(about, call) {
             0
           }
           list(
-            column = sub("\\[[0-9]+\\]$", "", name), place = index, y = y,
+            column = without_place(name), place = index, y = y,
             offset = place("offset", name, r), factor = place("factor", name, r),
             weight = record$weight[[name]],
             rounding = 4 * .Machine$double.eps * max(abs(y[is.finite(y)]), 0),

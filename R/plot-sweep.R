@@ -103,7 +103,7 @@ check_rows_kept <- function(object, what, call) {
 # "body mass (kg)" of body$mass_kg, "pivot [3] (m)" of pivot_m[3], "body (kg m^2)".
 sweep_label <- function(name, plan) {
   place <- sub("^.*?(\\[[0-9]+\\])?$", "\\1", name, perl = TRUE)
-  label <- column_label(gsub("$", " ", sub("\\[[0-9]+\\]$", "", name), fixed = TRUE))
+  label <- column_label(gsub("$", " ", without_place(name), fixed = TRUE))
   if (nzchar(place)) {
     label <- if (grepl(" [(]", label)) sub(" [(]", paste0(" ", place, " ("), label) else
       paste(label, place)

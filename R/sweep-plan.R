@@ -335,7 +335,7 @@ plan_outputs <- function(plan, outputs, first, call) {
   known <- outputs_of_scene(first, call)
   if (is.null(outputs)) {
     state <- paste0("final_", unlist(lapply(constraint$measures, `[[`, "columns")))
-    outputs <- known$path[sub("\\[[0-9]+\\]$", "", known$path) %in% state]
+    outputs <- known$path[without_place(known$path) %in% state]
   }
   if (!is.character(outputs) || !length(outputs) || anyNA(outputs)) {
     abort_rotdyn("{.arg outputs} must be names of {.fn sweep_outputs}.", "type", call)

@@ -27,7 +27,7 @@ set_in <- function(x, steps, value, path, known) {
   }
   inner <- if (is.character(step) || step <= length(x)) x[[step]]
   if (is.null(inner)) {
-    stem <- sub("\\[[0-9]+\\]$", "", path)
+    stem <- without_place(path)
     inner <- known$value[startsWith(known$path, paste0(stem, "["))]
   }
   if (is.matrix(inner)) {
@@ -94,7 +94,7 @@ outputs_of_motion <- function(motion, outputs) {
   values <- vapply(outputs, function(output) {
     place <- as.integer(sub("^.*\\[([0-9]+)\\]$", "\\1", output))
     place <- if (grepl("\\[[0-9]+\\]$", output)) place
-    base <- sub("\\[[0-9]+\\]$", "", output)
+    base <- without_place(output)
     switch(base,
       error = return(run$info$error), steps = return(as.double(run$info$steps)),
       supplied_j = return(sum(audited$supplied[audited$balance == "energy"])),
